@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# How our own targets are compiled: target widejam_build_settings, linked privately by each of them.
+add_library(widejam_build_settings INTERFACE)
+target_compile_features(widejam_build_settings INTERFACE cxx_std_20)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+target_compile_options(widejam_build_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+# GCC 12 reports its own AVX-512 headers as maybe uninitialised (GCC bug 105593).
+target_compile_options(widejam_build_settings INTERFACE -Wno-maybe-uninitialized)
+if(WIDEJAM_WERROR)
+    target_compile_options(widejam_build_settings INTERFACE -Werror)
+endif()
+
+# The same bits whatever the compiler contracts: docs/determinism.md states what this costs.
+target_compile_options(widejam_build_settings INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+
+if(WIDEJAM_NATIVE)
+    target_compile_options(widejam_build_settings INTERFACE -march=native)
+endif()
+if(WIDEJAM_SANITIZE)
+    target_compile_options(widejam_build_settings INTERFACE -fsanitize=${WIDEJAM_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(widejam_build_settings INTERFACE -fsanitize=${WIDEJAM_SANITIZE})
+endif()

@@ -11,6 +11,13 @@
 
 namespace jam {
 
+/// Images -1, 0 or 1 along each edge, as one number.
+inline constexpr std::uint32_t image_count = 27;
+constexpr std::uint32_t image_code(int x, int y, int z) {
+    return static_cast<std::uint32_t>((x + 1) + 3 * (y + 1) + 9 * (z + 1));
+}
+inline constexpr std::uint32_t home_image = image_code(0, 0, 0);
+
 /// One listed neighbor: particle index and image in one word (27 bits and 5 bits).
 ///
 /// The vector from the neighbor's image to the particle that lists it is
@@ -21,20 +28,15 @@ class Neighbor {
   public:
     static constexpr int index_bits = 27;
     static constexpr std::uint32_t index_mask = (1u << index_bits) - 1;
-    static constexpr std::uint32_t image_count = 27;
 
     Neighbor() = default;
-    Neighbor(Index particle, std::uint32_t image_code)
-        : word_(static_cast<std::uint32_t>(particle) | image_code << index_bits) {}
+    Neighbor(Index particle, std::uint32_t image)
+        : word_(static_cast<std::uint32_t>(particle) | image << index_bits) {}
 
     Index particle() const { return static_cast<Index>(word_ & index_mask); }
-    std::uint32_t image_code() const { return word_ >> index_bits; }
+    std::uint32_t image() const { return word_ >> index_bits; }
     friend bool operator==(Neighbor, Neighbor) = default;
 
-    static constexpr std::uint32_t code_of(int x, int y, int z) {
-        return static_cast<std::uint32_t>((x + 1) + 3 * (y + 1) + 9 * (z + 1));
-    }
-    static constexpr std::uint32_t home = code_of(0, 0, 0);
 
   private:
     std::uint32_t word_ = 0;
@@ -44,9 +46,9 @@ class Neighbor {
 struct alignas(32) ImageShift {
     double x, y, z, padding;
 };
-extern const std::array<ImageShift, Neighbor::image_count> image_shifts;
+extern const std::array<ImageShift, image_count> image_shifts;
 
-Image image_of(std::uint32_t image_code);
+Image image_of(std::uint32_t code);
 
 /// Every near pair once. Row i holds the neighbors that particle i lists; a pair stands in the row
 /// of one of its two particles, and which one is the builder's choice. A particle may list itself

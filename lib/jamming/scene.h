@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run is asked to do: plain settings with defaults, as a scene file says them.
+//
+// docs/scene.md lists the same settings by the keys of the file; scene_file.h reads and writes
+// them.
+#pragma once
+
+#include "core/types.h"
+#include "particles/material.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace jam {
+
+/// How a run begins: particles placed at random without overlap, or a saved packing.
+struct StartSettings {
+    double volume_fraction = 0.3;   ///< of the random start; not used with a packing
+    std::filesystem::path packing;  ///< a saved packing to start from; empty: a random start
+};
+
+/// The way from the start to the jammed state.
+enum class ProtocolKind : std::uint8_t {
+    nph,  ///< constant pressure and enthalpy, inertial (Monti et al., Methods)
+};
+
+/// Which edges and tilts of the cell may change.
+enum class FreeCell : std::uint8_t {
+    all,         ///< six: three edges, three tilts
+    orthogonal,  ///< three edges, no tilt
+    isotropic,   ///< one: the volume, at fixed shape
+};
+
+/// Inertia of the particles. The mechanical equilibria do not depend on it; the way there does.
+enum class Masses : std::uint8_t {
+    true_mass,  ///< density times volume, as the paper
+    diameter,   ///< proportional to the diameter
+    equal,      ///< all the same
+};
+
+struct ProtocolSettings {
+    ProtocolKind kind = ProtocolKind::nph;
+    Mat3 pressure = Mat3::Identity() * 1e-6;  ///< applied; symmetric; stiffness/length (hooke)
+    FreeCell free_cell = FreeCell::all;
+    /// In tau = sqrt(M_min / k), M_min the true mass of the smallest particle; nothing: chosen from
+    /// the stiffest particle.
+    std::optional<double> time_step;
+    Masses masses = Masses::true_mass;
+    double cell_inertia = 1.0;  ///< factor on the inertia chosen from N, k and D
+    double cell_damping = 1.0;  ///< factor on the damping chosen with it
+};
+
+/// When a run is converged (all of the tolerances hold at once), and when it stops without being
+/// so.
+struct StopSettings {
+    double pressure = 1e-4;  ///< largest |P_int - P_a| of the six components, over the mean of P_a
+    double cundall = 1e-6;   ///< Cundall parameter C
+    double kinetic_energy = 1e-13;         ///< a particle
+    double volume_fraction_change = 1e-6;  ///< largest minus smallest phi within the window
+    double coordination_change = 1e-3;     ///< largest minus smallest Z within the window
+    Count window = 10'000;                 ///< steps
+    Count max_steps = 100'000'000;  ///< since the start of the run, earlier sittings included
+    double max_time = 0.0;          ///< wall time of one sitting, seconds; 0: no limit
+};
+
+struct RunSettings {
+    std::uint64_t seed = 1;
+    int threads = 0;                     ///< 0: all that the machine has
+    Count record_interval = 1'000;       ///< steps
+    Count checkpoint_interval = 50'000;  ///< steps
+    std::filesystem::path output;        ///< folder; empty: runs/<name of the scene file>
+};
+
+struct Scene {
+    Material contact;
+    StartSettings start;
+    ProtocolSettings protocol;
+    StopSettings stop;
+    RunSettings run;
+};
+
+}  // namespace jam

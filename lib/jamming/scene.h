@@ -7,12 +7,23 @@
 
 #include "core/types.h"
 #include "particles/material.h"
+#include "sizes/draw_diameters.h"
+#include "sizes/size_distribution.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace jam {
+
+/// Which spheres are packed. Not used when a run starts from a saved packing.
+struct SizesSettings {
+    SizeDistribution distribution = PowerLaw{};
+    DrawMethod draw = DrawMethod::stratified;
+    std::optional<Count> count;  ///< nothing: particle_count(distribution)
+    std::filesystem::path file;  ///< that a table was read from
+};
 
 /// How a run begins: particles placed at random without overlap, or a saved packing.
 struct StartSettings {
@@ -73,11 +84,18 @@ struct RunSettings {
 };
 
 struct Scene {
+    SizesSettings sizes;
     Material contact;
     StartSettings start;
     ProtocolSettings protocol;
     StopSettings stop;
     RunSettings run;
 };
+
+/// Number of particles that the settings ask for. Throws InputError as particle_count.
+Count particle_count(const SizesSettings& sizes);
+
+/// The diameters of the scene, by particle id.
+std::vector<double> draw_diameters(const Scene& scene);
 
 }  // namespace jam

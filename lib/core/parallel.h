@@ -9,6 +9,7 @@
 #include "core/types.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -84,6 +86,22 @@ template <typename Range, typename Less>
 void sort_total_order(Range& items, Less&& less) {
     tbb::parallel_sort(items.begin(), items.end(), std::forward<Less>(less));
 }
+
+/// Values of their own for each thread: scratch memory that outlives a task.
+template <typename Scratch>
+class PerThread {
+  public:
+    Scratch& local() { return values_.local(); }
+
+  private:
+    tbb::enumerable_thread_specific<Scratch> values_;
+};
+
+/// Stable counting sort of [0, keys.size()) by key. `begin` (size key_count + 1) receives where
+/// each key's items begin, `order` (size keys.size()) the items. Stable, hence unique, hence the
+/// same for any thread count.
+void counting_sort(std::span<const Index> keys, Index key_count, std::vector<Index>& begin,
+                   std::span<Index> order);
 
 /// Tasks with prerequisites, run by a oneTBB flow graph as soon as what they need is done.
 class TaskGraph {

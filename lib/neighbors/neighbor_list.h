@@ -34,9 +34,14 @@ class Neighbor {
         : word_(static_cast<std::uint32_t>(particle) | image << index_bits) {}
 
     Index particle() const { return static_cast<Index>(word_ & index_mask); }
+    std::uint32_t word() const { return word_; }
+    static Neighbor from_word(std::uint32_t word) {
+        Neighbor neighbor;
+        neighbor.word_ = word;
+        return neighbor;
+    }
     std::uint32_t image() const { return word_ >> index_bits; }
     friend bool operator==(Neighbor, Neighbor) = default;
-
 
   private:
     std::uint32_t word_ = 0;

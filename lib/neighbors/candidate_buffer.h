@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The candidates of one bin in single precision, sixteen tested at a time.
+#pragma once
+
+#include "core/lanes.h"
+#include "core/types.h"
+#include "grids/grid_hierarchy.h"
+#include "neighbors/neighbor_list.h"
+
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace jam {
+
+/// A sphere in the local coordinates of the searching bin; `reach` bounds distances from its
+/// center.
+struct LocalSphere {
+    float x, y, z, reach;
+};
+
+/// Bit k is set where sphere k of sixteen comes within reach of `center`. No fused multiply-add, so
+/// that every instruction set gives the same bits.
+inline std::uint32_t near_lanes(const float* x, const float* y, const float* z, const float* reach,
+                                const LocalSphere& center) {
+#if defined(__AVX512F__)
+    const __m512 dx = _mm512_sub_ps(_mm512_loadu_ps(x), _mm512_set1_ps(center.x));
+    const __m512 dy = _mm512_sub_ps(_mm512_loadu_ps(y), _mm512_set1_ps(center.y));
+    const __m512 dz = _mm512_sub_ps(_mm512_loadu_ps(z), _mm512_set1_ps(center.z));
+    const __m512 cut = _mm512_add_ps(_mm512_loadu_ps(reach), _mm512_set1_ps(center.reach));
+    const __m512 distance_squared = _mm512_add_ps(
+        _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy)), _mm512_mul_ps(dz, dz));
+    return _mm512_cmp_ps_mask(distance_squared, _mm512_mul_ps(cut, cut), _CMP_LE_OQ);
+#else
+    const Float16 dx = load_lanes(x) - center.x;
+    const Float16 dy = load_lanes(y) - center.y;
+    const Float16 dz = load_lanes(z) - center.z;
+    const Float16 cut = load_lanes(reach) + center.reach;
+    const Mask16 near = (dx * dx + dy * dy) + dz * dz <= cut * cut;
+    std::uint32_t bits = 0;
+    for (int k = 0; k < lane_count; ++k) bits |= (static_cast<std::uint32_t>(near[k]) & 1u) << k;
+    return bits;
+#endif
+}
+
+/// Candidates gathered for one bin: structure of arrays, padded so that whole vectors can be read.
+class CandidateBuffer {
+  public:
+    void clear() { size_ = 0; }
+    int size() const { return size_; }
+    std::uint32_t word(int at) const { return word_[static_cast<std::size_t>(at)]; }
+    LocalSphere sphere(int at) const {
+        const auto k = static_cast<std::size_t>(at);
+        return {x_[k], y_[k], z_[k], reach_[k]};
+    }
+
+    /// Appends particles [begin, end) of one bin, moved by `offset`, that come within reach of
+    /// `bounds`.
+    void append_near(const LocalSpheres& local, Index begin, Index end, const LocalSphere& offset,
+                     const LocalSphere& bounds, std::uint32_t image);
+
+    /// Appends particles [begin, end) as they are.
+    void append_all(const LocalSpheres& local, Index begin, Index end);
+
+    /// Fills the last vector up with spheres that are near nothing.
+    void pad();
+
+    /// Bits of the candidates at..at+15 near `center`.
+    std::uint32_t near(int at, const LocalSphere& center) const {
+        return near_lanes(x_.data() + at, y_.data() + at, z_.data() + at, reach_.data() + at,
+                          center);
+    }
+
+  private:
+    void reserve(int count);
+
+    std::vector<float> x_, y_, z_, reach_;
+    std::vector<std::uint32_t> word_;
+    int size_ = 0;
+};
+
+}  // namespace jam

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# `cmake --install` and find_package(widejam).
-include(GNUInstallDirs)
+# `cmake --install` and find_package(widejam); docs/examples/find_package uses both and is a test.
 include(CMakePackageConfigHelpers)
+set(widejam_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/widejam)
 
-install(TARGETS widejam widejam_build_settings EXPORT widejam_targets)
+install(TARGETS widejam EXPORT widejam_targets)
 install(TARGETS jam_app analyze_app)
-install(DIRECTORY lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/widejam FILES_MATCHING PATTERN "*.h")
-install(EXPORT widejam_targets NAMESPACE widejam:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/widejam)
+install(DIRECTORY lib/ ${PROJECT_BINARY_DIR}/generated/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/widejam
+    FILES_MATCHING PATTERN "*.h")
+install(EXPORT widejam_targets NAMESPACE widejam:: DESTINATION ${widejam_config_dir})
 
 configure_package_config_file(cmake/widejam-config.cmake.in ${PROJECT_BINARY_DIR}/widejam-config.cmake
-    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/widejam)
+    INSTALL_DESTINATION ${widejam_config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/widejam-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/widejam-config.cmake ${PROJECT_BINARY_DIR}/widejam-config-version.cmake
-    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/widejam)
+    DESTINATION ${widejam_config_dir})

@@ -28,7 +28,7 @@ MAY_INCLUDE = {
 TBB = re.compile(r"(oneapi/)?tbb[/.]")
 TBB_DOOR = ("core/parallel.h", "core/parallel.cpp")
 TBB_RULE = "only core/parallel.* may include oneTBB"
-HEADERS_MAY_SHOW = ("Eigen/", "fmt/")  # libraries that a program built on ours has to have
+HEADERS_MAY_SHOW = ("Eigen/", "fmt/", "immintrin.h")  # what whoever builds on us has too
 INCLUDE = re.compile(r'^\s*#\s*include\s+(<[^>]+>|"[^"]+")')
 
 

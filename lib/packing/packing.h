@@ -37,4 +37,8 @@ struct Packing {
     Count size() const { return static_cast<Count>(positions.size()); }
 };
 
+/// Throws InputError unless the packing has at least one sphere, vectors of one length, finite
+/// numbers, diameters above zero and distinct ids. Whatever is saved or read passes through here.
+void check_packing(const Packing& packing);
+
 }  // namespace jam

@@ -4,7 +4,6 @@
 #include "core/check.h"
 #include "core/parallel.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -2,6 +2,7 @@
 // The diameters of one packing, drawn from a distribution.
 #pragma once
 
+#include "sizes/particle_count.h"
 #include "sizes/size_distribution.h"
 
 #include <cstdint>

@@ -19,7 +19,8 @@ struct RodModel {
 /// Predicted volume fraction.
 double rod_packing_fraction(const SizeDistribution& sizes, const RodModel& model = {});
 
-/// The same for spheres of these diameters, in any order.
+/// The same for spheres of these diameters, in any order. Throws InputError unless there is one and
+/// all are above zero.
 double rod_packing_fraction(std::span<const double> diameters, const RodModel& model = {});
 
 }  // namespace jam

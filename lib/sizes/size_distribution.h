@@ -67,6 +67,20 @@ using SizeDistribution = std::variant<PowerLaw, Binary, Monodisperse, GrainSizeD
 /// added in double precision (1e15 < 2^53).
 inline constexpr double max_size_ratio = 1e5;
 
+/// The alpha accepted: from beta = 5, nearly all particles small, to beta = 0, all sizes equally
+/// frequent.
+inline constexpr double min_alpha = -1.0;
+inline constexpr double max_alpha = 4.0;
+
+/// The eta accepted: the number of particles follows from it only below 3 (docs/sizes.md).
+inline constexpr double min_eta = 0.05;
+inline constexpr double max_eta = 2.5;
+
+/// The sigma of a lognormal accepted: below, spheres are equal; above, three sigma to either side
+/// reach beyond any packing.
+inline constexpr double min_sigma = 0.01;
+inline constexpr double max_sigma = 1.5;
+
 /// Name of the kind as scenes have it: "power-law", "binary", "monodisperse",
 /// "grain-size-distribution", "lognormal" or "table".
 std::string_view kind_name(const SizeDistribution& sizes);
@@ -93,18 +107,5 @@ double moment(const SizeDistribution& sizes, double order);
 
 /// Mean volume of a particle, pi/6 <D^3>.
 double mean_volume(const SizeDistribution& sizes);
-
-/// The paper's rule for the size of a packing: so many particles that at least 10 of them have
-/// D > 0.95 D_largest, N = 10.1 / P(D > 0.95 D_largest), rounded up. It gives the counts that Monti
-/// et al. state to 0.03 %. A binary distribution is counted from large_count and f_S instead, a
-/// list of diameters by its length. Throws InputError naming "sizes.count" if there is no such
-/// rule (monodisperse), or if the count is more than this program can hold.
-Count particle_count(const SizeDistribution& sizes);
-
-/// Throws InputError naming "sizes.count" unless 1 <= count <= max_particle_count.
-void check_particle_count(Count count);
-
-/// Neighbor lists keep a particle's place in 27 bits.
-inline constexpr Count max_particle_count = Count{1} << 27;
 
 }  // namespace jam

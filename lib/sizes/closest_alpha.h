@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The power law nearest to a grain-size distribution, by which the two literatures are compared.
+#pragma once
+
+namespace jam {
+
+/// The alpha whose cumulative volume fraction is nearest to [(D - 1)/(size_ratio - 1)]^eta, in the
+/// sense of least squares over D, evenly from 1 to size_ratio. At size_ratio 32: eta 0.8, 0.6, 0.4
+/// give 0.75, 0.47, 0.11. It is searched for between -10 and 10, more widely than `check` admits
+/// for a scene. Throws InputError if eta or size_ratio cannot be used, or size_ratio is 1, where
+/// all alpha are the same.
+double closest_alpha(double eta, double size_ratio);
+
+}  // namespace jam

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Everything from Debian's packages; scripts/install_dependencies.sh installs them.
 find_package(Threads REQUIRED)
+if(WIDEJAM_SANITIZE MATCHES "thread" AND NOT EXISTS "${TBB_DIR}/TBBConfig.cmake")
+    message(FATAL_ERROR "The thread sanitizer takes an instrumented oneTBB: scripts/build_instrumented_tbb.sh makes it")
+endif()
 find_package(TBB REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)

@@ -4,6 +4,7 @@
 #include "core/check.h"
 #include "core/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -13,7 +13,7 @@ add_test(NAME install.find_package COMMAND ${CMAKE_CTEST_COMMAND}
     --build-and-test ${PROJECT_SOURCE_DIR}/docs/examples/find_package ${prefix}_example
     --build-generator ${CMAKE_GENERATOR}
     --build-options -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-    --test-command sheared_cell)
+    --test-command pressed_pair)
 set_tests_properties(install.install PROPERTIES FIXTURES_SETUP installed)
 set_tests_properties(install.find_package PROPERTIES FIXTURES_REQUIRED installed
-    PASS_REGULAR_EXPRESSION "tilt 3.0 reduced to -1.0, volume 64")
+    PASS_REGULAR_EXPRESSION "overlap 0.250, force 0.250, image along x -1")

@@ -1,4 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
-int main() {
-    return 0;
+// analyze_app: measures packings. Arguments only; what is measured stands in lib/analysis.
+#include "analyze_app/stats_command.h"
+#include "core/parallel.h"
+#include "core/version.h"
+#include "shared/program.h"
+
+#include <CLI/CLI.hpp>
+
+namespace jam::apps {
+
+namespace {
+
+int run(int argc, char** argv) {
+    CLI::App program("Measures packings of spheres: ours (.h5) and LAMMPS dumps.", "analyze_app");
+    program.set_version_flag("--version", std::string("analyze_app ") + version);
+    program.require_subcommand(1);
+    program.fallthrough();
+    int threads = 0;
+    program.add_option("--threads", threads, "threads to use; 0: as many as the machine has")
+        ->check(CLI::Range(0, 1024));
+    StatsOptions stats;
+    const CLI::App* stats_command = add_stats_command(program, stats);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? exit_good : exit_bad_input;
+    }
+    return run_with_threads(threads, [&]() -> int {
+        if (stats_command->parsed()) return print_stats(stats);
+        return exit_good;
+    });
+}
+
+}  // namespace
+
+}  // namespace jam::apps
+
+int main(int argc, char** argv) {
+    return jam::apps::run_guarded("analyze_app", [&] { return jam::apps::run(argc, argv); });
 }

@@ -37,8 +37,8 @@ void set_volume_fractions(const Packing& packing, const Rattlers& rattlers,
 void set_overlaps(const Packing& packing, std::span<const Contact> contacts,
                   PackingStatistics& statistics) {
     const auto relative_overlap = [&](const Contact& contact) {
-        return 2.0 * contact.overlap /
-               (packing.diameters[contact.first] + packing.diameters[contact.second]);
+        return contact.overlap /
+               std::min(packing.diameters[contact.first], packing.diameters[contact.second]);
     };
     for (const Contact& contact : contacts)
         statistics.largest_overlap =

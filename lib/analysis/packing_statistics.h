@@ -24,8 +24,8 @@ struct PackingStatistics {
     double cundall_nr = 0.0;
     Mat3 pressure = Mat3::Zero();  ///< static, from the elastic forces
     Mat3 cell = Mat3::Zero();      ///< rows are the edges a, b, c
-    double largest_overlap = 0.0;  ///< over the mean diameter of the two
-    double mean_overlap = 0.0;     ///< over the mean diameter of the two
+    double largest_overlap = 0.0;  ///< over the smaller diameter of the two
+    double mean_overlap = 0.0;     ///< over the smaller diameter of the two
     double kinetic_energy_per_particle = 0.0;
 
     Count excess_contact_count() const { return contact_count_nr - isostatic_contact_count; }

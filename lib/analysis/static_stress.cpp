@@ -9,29 +9,25 @@ namespace {
 
 constexpr Count block_size = 4096;
 
+/// Sum of |F_p| over the particles that `counts` tells to take.
 template <typename Counts>
-double force_ratio(const ForceNetwork& network, Counts&& counts) {
-    const double net = sum_blocks(
-        Count{network.rows.particle_count()}, block_size, 0.0, [&](Count begin, Count end) {
-            double sum = 0.0;
-            for (Count i = begin; i < end; ++i) {
-                Vec3 force = Vec3::Zero();
-                for (const ContactEnd at : network.rows.row(static_cast<Index>(i))) {
-                    const Contact& contact = network.contacts[at.contact()];
-                    if (counts(contact)) force += at.sign() * contact.force * contact.normal;
-                }
-                sum += force.norm();
-            }
-            return sum;
-        });
-    const auto contact_count = static_cast<Count>(network.contacts.size());
-    const double total = sum_blocks(contact_count, block_size, 0.0, [&](Count begin, Count end) {
+double sum_of_net_forces(const ForceNetwork& network, Counts&& counts) {
+    const Count particle_count = network.rows.particle_count();
+    return sum_blocks(particle_count, block_size, 0.0, [&](Count begin, Count end) {
         double sum = 0.0;
-        for (Count c = begin; c < end; ++c)
-            if (counts(network.contacts[c])) sum += network.contacts[c].force;
+        for (auto i = static_cast<Index>(begin); i < end; ++i)
+            if (counts(i)) sum += net_force(network, i).norm();
         return sum;
     });
-    return net / total;
+}
+
+double sum_of_contact_forces(std::span<const Contact> contacts) {
+    const auto contact_count = static_cast<Count>(contacts.size());
+    return sum_blocks(contact_count, block_size, 0.0, [&](Count begin, Count end) {
+        double sum = 0.0;
+        for (Count c = begin; c < end; ++c) sum += contacts[c].force;
+        return sum;
+    });
 }
 
 }  // namespace
@@ -53,13 +49,24 @@ Mat3 static_pressure(const Packing& packing, std::span<const Contact> contacts) 
     return virial / packing.cell.volume();
 }
 
+Vec3 net_force(const ForceNetwork& network, Index particle) {
+    Vec3 force = Vec3::Zero();
+    for (const ContactEnd end : network.rows.row(particle)) {
+        const Contact& contact = network.contacts[end.contact()];
+        force += end.sign() * contact.force * contact.normal;
+    }
+    return force;
+}
+
 double cundall(const ForceNetwork& network) {
-    return force_ratio(network, [](const Contact&) { return true; });
+    return sum_of_net_forces(network, [](Index) { return true; }) /
+           sum_of_contact_forces(network.contacts);
 }
 
 double cundall_nr(const ForceNetwork& network) {
-    return force_ratio(network,
-                       [&](const Contact& contact) { return network.rattlers.bears(contact); });
+    return sum_of_net_forces(network,
+                             [&](Index i) { return network.rattlers.is_rattler[i] == 0; }) /
+           sum_of_contact_forces(network.contacts);
 }
 
 }  // namespace jam

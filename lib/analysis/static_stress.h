@@ -12,11 +12,15 @@ namespace jam {
 /// internal pressure tensor, positive in compression. Units of stiffness / length (hooke).
 Mat3 static_pressure(const Packing& packing, std::span<const Contact> contacts);
 
+/// Sum of the elastic contact forces on a particle.
+Vec3 net_force(const ForceNetwork& network, Index particle);
+
 /// Cundall parameter C = sum_p |F_p| / sum_c |F_c|: net force over each particle, over the contact
 /// forces, each contact once (Monti et al.). Not a number without contacts.
 double cundall(const ForceNetwork& network);
 
-/// The same of the backbone: over its particles and the contacts within it.
+/// The share of it that the backbone's particles have: rattlers not yet at rest are left out above,
+/// all contacts stay below.
 double cundall_nr(const ForceNetwork& network);
 
 }  // namespace jam

@@ -77,7 +77,7 @@ TEST(PackingStatistics, TwoSpheresByHand) {
     const Vec3 normal(0.8, 0.6, 0.0);
     expect_near(statistics.pressure, 0.1 * 1.5 / 400.0 * normal * normal.transpose(), 1e-16);
     EXPECT_NEAR(statistics.cundall, 2.0, 1e-13);
-    EXPECT_NEAR(statistics.largest_overlap, 0.1 / 1.6, 1e-14);
+    EXPECT_NEAR(statistics.largest_overlap, 0.1 / 1.0, 1e-14);
     const double energy = pi / 6.0 * (0.25 + std::pow(2.2, 3) * 0.01);  // density 2 times 1/2
     EXPECT_NEAR(statistics.kinetic_energy_per_particle, energy / 2.0, 1e-15);
     EXPECT_EQ(statistics.cell, edges);

@@ -3,6 +3,7 @@
 
 #include "core/check.h"
 #include "support/example_packings.h"
+#include "support/refusals.h"
 #include "support/scratch_folder.h"
 
 #include <gmock/gmock.h>
@@ -38,20 +39,8 @@ Packing read_text(const std::string& text, Count frame = last_frame) {
     return read_lammps_dump(folder / "some.dump", frame);
 }
 
-/// The message with which `text` is refused; "" if it is read.
-std::string refusal_of(const std::string& text, Count frame = last_frame) {
-    try {
-        read_text(text, frame);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-std::string replaced(std::string text, std::string_view part, std::string_view by) {
-    const std::size_t at = text.find(part);
-    EXPECT_NE(at, std::string::npos) << part;
-    return text.replace(at, part.size(), by);
+std::string refusal_of_text(const std::string& text, Count frame = last_frame) {
+    return refusal_of([&] { read_text(text, frame); });
 }
 
 TEST(LammpsDump, ReadsColumnsInAnyOrderAndTakesOffTheOrigin) {
@@ -124,7 +113,7 @@ TEST(LammpsDump, TheLastFrameUnlessToldOtherwise) {
     EXPECT_EQ(read_text(two_spheres + later).diameters[0], 4.0);
     EXPECT_EQ(read_text(two_spheres + later, 0).step, 700);
     EXPECT_EQ(read_text(two_spheres + later, 1).step, 900);
-    EXPECT_THAT(refusal_of(two_spheres + later, 2), HasSubstr("holds 2 frames"));
+    EXPECT_THAT(refusal_of_text(two_spheres + later, 2), HasSubstr("holds 2 frames"));
 }
 
 TEST(LammpsDump, RoundTripKeepsEveryValue) {
@@ -172,7 +161,7 @@ TEST(LammpsDump, ReadsWhatLammpsWrote) {
 
 TEST(LammpsDump, SaysFileLineAndRemedy) {
     const auto refusal = [](std::string_view part, std::string_view by) {
-        return refusal_of(replaced(two_spheres, part, by));
+        return refusal_of_text(replaced(two_spheres, part, by));
     };
     EXPECT_THAT(refusal("0.75", "nan"), AllOf(HasSubstr("some.dump:10:"), HasSubstr("radius")));
     EXPECT_THAT(refusal("0.75", "0"), HasSubstr("above zero"));
@@ -192,14 +181,14 @@ TEST(LammpsDump, SaysFileLineAndRemedy) {
     EXPECT_THAT(refusal("radius", "x"), HasSubstr("two columns hold x"));
     EXPECT_THAT(refusal("vx id z", "q id z"), HasSubstr("give all or none"));
     EXPECT_THAT(refusal("ITEM: TIMESTEP", "LAMMPS data"), HasSubstr("some.dump:1:"));
-    EXPECT_THAT(refusal_of(""), HasSubstr("holds 0 frames"));
-    EXPECT_THAT(refusal_of(std::string(3 << 20, 'x')), HasSubstr("longer than a line"));
+    EXPECT_THAT(refusal_of_text(""), HasSubstr("holds 0 frames"));
+    EXPECT_THAT(refusal_of_text(std::string(3 << 20, 'x')), HasSubstr("longer than a line"));
 }
 
 TEST(LammpsDump, AnyTruncationIsRefused) {
     const std::size_t last_row = two_spheres.rfind(" 0 1 0");
     for (std::size_t length = 0; length < last_row; ++length)
-        EXPECT_NE(refusal_of(two_spheres.substr(0, length)), "") << length;
+        EXPECT_NE(refusal_of_text(two_spheres.substr(0, length)), "") << length;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "core/check.h"
 #include "packing/hdf5_handles.h"
 #include "support/example_packings.h"
+#include "support/refusals.h"
 #include "support/scratch_folder.h"
 
 #include <gmock/gmock.h>
@@ -22,17 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace jam::test;
 using testing::HasSubstr;
-
-/// The message of the FileError that `action` throws; "" if it throws none.
-template <typename Action>
-std::string file_error_of(Action&& action) {
-    try {
-        action();
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 TEST(PackingFile, GivesBackTheSameBits) {
     const ScratchFolder folder;
@@ -98,23 +88,23 @@ TEST(PackingFile, RefusesToSaveWhatCouldNotBeReadBack) {
 TEST(PackingFile, SaysWhatIsWrongWithAPath) {
     const ScratchFolder folder;
     const Packing packing = random_packing(3);
-    EXPECT_THAT(file_error_of([&] { load_packing(folder / "absent.h5"); }),
+    EXPECT_THAT(refusal_of([&] { load_packing(folder / "absent.h5"); }),
                 HasSubstr("there is no such file"));
-    EXPECT_THAT(file_error_of([&] { load_packing(folder.path()); }), HasSubstr("is a folder"));
-    EXPECT_THAT(file_error_of([&] { save_packing(packing, folder.path()); }),
+    EXPECT_THAT(refusal_of([&] { load_packing(folder.path()); }), HasSubstr("is a folder"));
+    EXPECT_THAT(refusal_of([&] { save_packing(packing, folder.path()); }),
                 HasSubstr("is a folder"));
-    EXPECT_THAT(file_error_of([&] { save_packing(packing, folder / "no/packing.h5"); }),
+    EXPECT_THAT(refusal_of([&] { save_packing(packing, folder / "no/packing.h5"); }),
                 HasSubstr("make the folder first"));
 }
 
 TEST(PackingFile, RefusesForeignFiles) {
     const ScratchFolder folder;
     std::ofstream(folder / "text.h5") << "not HDF5 at all\n";
-    EXPECT_THAT(file_error_of([&] { load_packing(folder / "text.h5"); }),
+    EXPECT_THAT(refusal_of([&] { load_packing(folder / "text.h5"); }),
                 HasSubstr("cannot be opened as an HDF5 file"));
     hdf5::write_file(folder / "other.h5",
                      [](const hdf5::Group& root) { root.write("temperature", 3.0); });
-    EXPECT_THAT(file_error_of([&] { load_packing(folder / "other.h5"); }),
+    EXPECT_THAT(refusal_of([&] { load_packing(folder / "other.h5"); }),
                 HasSubstr("holds no packing"));
 }
 
@@ -133,7 +123,7 @@ TEST(PackingFile, AnyTruncationIsRefused) {
     const std::string whole = content_of(folder / "whole.h5");
     for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 97) {
         std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, length);
-        EXPECT_NE(file_error_of([&] { load_packing(folder / "cut.h5"); }), "") << length;
+        EXPECT_NE(refusal_of([&] { load_packing(folder / "cut.h5"); }), "") << length;
     }
 }
 
@@ -142,7 +132,7 @@ TEST(PackingFile, BitRotIsNoticedOrHarmless) {
     const Packing saved = random_packing(200);
     save_packing(saved, folder / "whole.h5");
     const std::string whole = content_of(folder / "whole.h5");
-    for (std::size_t place = 0; place < whole.size(); place += 13) {
+    for (std::size_t place = 0; place < whole.size(); place += 31) {
         std::string rotten = whole;
         rotten[place] = static_cast<char>(rotten[place] ^ (1 << (place % 8)));
         std::ofstream(folder / "rotten.h5", std::ios::binary) << rotten;
@@ -173,7 +163,7 @@ TEST(PackingFile, AFullDiskLeavesTheEarlierFileAndNoOther) {
     for (const rlim_t limit : {rlim_t{0}, rlim_t{1000}, rlim_t{100000}, rlim_t{1000000}}) {
         const int status = with_file_size_limit(limit, [&] {
             const std::string error =
-                file_error_of([&] { save_packing(later, folder / "packing.h5"); });
+                refusal_of([&] { save_packing(later, folder / "packing.h5"); });
             return error.find("cannot be written") != std::string::npos ? 42 : 1;
         });
         EXPECT_EQ(status, 42) << "limit " << limit;
@@ -186,7 +176,7 @@ TEST(PackingFile, AFolderWithoutPermissionIsNamed) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
     const ScratchFolder folder;
     fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_THAT(file_error_of([&] { save_packing(random_packing(3), folder / "packing.h5"); }),
+    EXPECT_THAT(refusal_of([&] { save_packing(random_packing(3), folder / "packing.h5"); }),
                 HasSubstr("choose a folder that you may write to"));
     fs::permissions(folder.path(), fs::perms::owner_all);
 }

@@ -49,7 +49,7 @@ fs::path folder_of(const fs::path& path) {
 /// The file that `path` means in the end, so that a link stays a link when its file is replaced.
 fs::path target_of(const fs::path& path) {
     std::error_code error;
-    const fs::path target = fs::weakly_canonical(path, error);
+    fs::path target = fs::weakly_canonical(path, error);
     if (error) return path;
     const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status))

@@ -3,7 +3,6 @@
 // every instruction set.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -16,7 +15,9 @@ using Double4 = double __attribute__((vector_size(32)));
 template <typename Record>
 Double4 load4(const Record& record) {
     static_assert(sizeof(Record) == sizeof(Double4));
-    return std::bit_cast<Double4>(record);
+    Double4 values;
+    std::memcpy(&values, &record, sizeof values);
+    return values;
 }
 
 template <typename Record>

@@ -72,6 +72,16 @@ Value sum_blocks(Count count, Count block_size, const Value& zero, Body&& body) 
     return sum;
 }
 
+/// Largest of body(begin, end) -> double over blocks; zero for no items.
+template <typename Body>
+double max_blocks(Count count, Count block_size, Body&& body) {
+    std::vector<double> parts(static_cast<std::size_t>(block_count(count, block_size)), 0.0);
+    for_each_block(count, block_size, [&](Count block, Count begin, Count end) {
+        parts[static_cast<std::size_t>(block)] = body(begin, end);
+    });
+    return parts.empty() ? 0.0 : *std::max_element(parts.begin(), parts.end());
+}
+
 /// values[i] becomes the sum of all before it; returns the sum of all.
 template <typename Integer>
 Integer exclusive_scan(std::vector<Integer>& values) {

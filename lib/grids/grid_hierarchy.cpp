@@ -80,7 +80,6 @@ void GridHierarchy::group(Particles& particles) const {
         const auto from = static_cast<std::size_t>(order[i]);
         particles.spheres[i] = before.spheres[from];
         particles.motions[i] = before.motions[from];
-        particles.loads[i] = before.loads[from];
         particles.ids[i] = before.ids[from];
     }
 }

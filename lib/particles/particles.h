@@ -32,7 +32,7 @@ struct alignas(32) Load {
 struct Particles {
     std::vector<Sphere> spheres;
     std::vector<Motion> motions;
-    std::vector<Load> loads;
+    std::vector<Load> loads;         ///< of the last force evaluation; sorting leaves them behind
     std::vector<std::uint32_t> ids;  ///< 0..N-1, in the order in which the diameters were drawn
 
     Index size() const { return static_cast<Index>(spheres.size()); }

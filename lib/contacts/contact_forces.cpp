@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contacts/contact_forces.h"
+
+#include "contacts/elastic_laws.h"
+#include "core/lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <type_traits>
+
+namespace jam {
+
+namespace {
+
+/// The upper triangle of a symmetric 3x3 matrix.
+Mat3 symmetric(double xx, double xy, double xz, double yy, double yz, double zz) {
+    Mat3 matrix;
+    matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return matrix;
+}
+
+/// Sums over contacts run in eight lanes that are added in order at the end: a fixed order of
+/// additions, whatever the width of the machine's vectors.
+constexpr std::size_t lanes = 8;
+struct LaneSums {
+    std::array<double, lanes> of_lane{};
+    double& operator[](std::size_t lane) { return of_lane[lane]; }
+};
+
+double sum_of(const LaneSums& sums) {
+    return std::accumulate(sums.of_lane.begin(), sums.of_lane.end(), 0.0);
+}
+
+/// Forces within one tile, stage by stage over arrays that stay in the cache. Each stage is a plain
+/// loop without unpredictable branches, and all but the first and last run many contacts at a time.
+template <typename Law, bool damped>
+class TileForces {
+  public:
+    TileForces(const PeriodicCell& cell, const Law& law, double damping,
+               const Mat3& velocity_gradient, ForceScratch::Thread& scratch)
+        : h_(cell.matrix()),
+          law_(law),
+          damping_(damping),
+          gradient_(velocity_gradient),
+          s_(scratch) {}
+
+    ContactSums evaluate(const ContactTile& tile, const Particles& particles, Load* loads,
+                         Load* slots) {
+        gather_participants(tile, particles);
+        const std::size_t contacts = find_contacts(tile);
+        if constexpr (damped) find_closing_speeds(contacts);
+        const ContactSums sums = find_forces(contacts);
+        add_forces(contacts);
+        write_loads(tile, loads, slots);
+        return sums;
+    }
+
+  private:
+    void gather_participants(const ContactTile& tile, const Particles& particles) {
+        const std::size_t count = tile.participants.size();
+        s_.spheres.resize(count);
+        s_.loads.assign(count, Load{Vec3::Zero(), 0.0});
+        if constexpr (damped) s_.motions.resize(count);
+        for (std::size_t p = 0; p < count; ++p) {
+            const auto particle = static_cast<std::size_t>(tile.participants[p].particle());
+            const Sphere& sphere = particles.spheres[particle];
+            const ImageShift& shift = image_shifts[tile.participants[p].image()];
+            const double sx = sphere.center[0] + shift.x;
+            const double sy = sphere.center[1] + shift.y;
+            const double sz = sphere.center[2] + shift.z;
+            Sphere& local = s_.spheres[p];
+            local.center[0] = h_(0, 0) * sx + h_(0, 1) * sy + h_(0, 2) * sz;
+            local.center[1] = h_(1, 1) * sy + h_(1, 2) * sz;
+            local.center[2] = h_(2, 2) * sz;
+            local.diameter = sphere.diameter;
+            if constexpr (damped) s_.motions[p] = particles.motions[particle];
+        }
+    }
+
+    /// Pairs that overlap, packed: every pair is written, and only a contact advances the place.
+    std::size_t find_contacts(const ContactTile& tile) {
+        const std::size_t pairs = tile.pairs.size();
+        reserve(pairs + lanes);
+        s_.contacts.resize(pairs + 1);
+        std::size_t contacts = 0;
+        for (const TilePair pair : tile.pairs) {
+            const Sphere& first = s_.spheres[pair.first];
+            const Sphere& second = s_.spheres[pair.second];
+            const double dx = first.center[0] - second.center[0];
+            const double dy = first.center[1] - second.center[1];
+            const double dz = first.center[2] - second.center[2];
+            const double squared = dx * dx + dy * dy + dz * dz;
+            const double reach = 0.5 * (first.diameter + second.diameter);
+            s_.x[contacts] = dx;
+            s_.y[contacts] = dy;
+            s_.z[contacts] = dz;
+            s_.distance[contacts] = squared;
+            s_.reach[contacts] = reach;
+            if constexpr (needs_diameters) s_.diameter_first[contacts] = first.diameter;
+            s_.contacts[contacts] = pair;
+            contacts += squared < reach * reach ? 1 : 0;
+        }
+        return contacts;
+    }
+
+    void reserve(std::size_t size) {
+        if (s_.x.size() >= size) return;
+        for (auto* column : {&s_.x, &s_.y, &s_.z, &s_.distance, &s_.reach, &s_.diameter_first,
+                             &s_.closing, &s_.mass, &s_.elastic, &s_.force})
+            column->resize(size + size / 4);
+    }
+
+    /// r . (v_i - v_j + L r) and the effective mass of every contact.
+    void find_closing_speeds(std::size_t contacts) {
+        for (std::size_t c = 0; c < contacts; ++c) {
+            const Motion& first = s_.motions[s_.contacts[c].first];
+            const Motion& second = s_.motions[s_.contacts[c].second];
+            const double x = s_.x[c];
+            const double y = s_.y[c];
+            const double z = s_.z[c];
+            const double vx = first.velocity[0] - second.velocity[0] + gradient_(0, 0) * x +
+                              gradient_(0, 1) * y + gradient_(0, 2) * z;
+            const double vy =
+                first.velocity[1] - second.velocity[1] + gradient_(1, 1) * y + gradient_(1, 2) * z;
+            const double vz = first.velocity[2] - second.velocity[2] + gradient_(2, 2) * z;
+            s_.closing[c] = x * vx + y * vy + z * vz;
+            s_.mass[c] = first.mass * second.mass / (first.mass + second.mass);
+        }
+    }
+
+    /// s_.force and s_.elastic become the forces over the distance, ready to be multiplied with r.
+    ContactSums find_forces(std::size_t contacts) {
+        pad(contacts);
+        LaneSums energy, magnitudes;
+        for (std::size_t begin = 0; begin < contacts; begin += lanes) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const std::size_t c = begin + lane;
+                // Coincident centers have no direction: they get a force of zero, not of NaN.
+                const double distance = std::sqrt(std::max(s_.distance[c], 1e-300));
+                const double overlap = s_.reach[c] - distance;
+                const double inverse = 1.0 / distance;
+                const double diameter = needs_diameters ? s_.diameter_first[c] : 1.0;
+                const double other = 2.0 * s_.reach[c] - diameter;
+                const double elastic = law_.force(overlap, diameter, other);
+                double force = elastic;
+                if constexpr (damped) {
+                    force =
+                        std::max(0.0, elastic - damping_ * s_.mass[c] * s_.closing[c] * inverse);
+                    s_.elastic[c] = elastic * inverse;
+                }
+                s_.force[c] = force * inverse;
+                energy[lane] += law_.energy(overlap, diameter, other);
+                magnitudes[lane] += force;
+            }
+        }
+        ContactSums sums;
+        sums.virial = virial(s_.force, contacts);
+        sums.elastic_virial = damped ? virial(s_.elastic, contacts) : sums.virial;
+        sums.energy = sum_of(energy);
+        sums.force_magnitudes = sum_of(magnitudes);
+        sums.contacts = static_cast<Count>(contacts);
+        return sums;
+    }
+
+    /// Sum over contacts of (f/|r|) r r^T.
+    Mat3 virial(const std::vector<double>& force_over_distance, std::size_t contacts) const {
+        LaneSums xx, xy, xz, yy, yz, zz;
+        for (std::size_t begin = 0; begin < contacts; begin += lanes) {
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const std::size_t c = begin + lane;
+                const double fx = force_over_distance[c] * s_.x[c];
+                const double fy = force_over_distance[c] * s_.y[c];
+                const double fz = force_over_distance[c] * s_.z[c];
+                xx[lane] += fx * s_.x[c];
+                xy[lane] += fx * s_.y[c];
+                xz[lane] += fx * s_.z[c];
+                yy[lane] += fy * s_.y[c];
+                yz[lane] += fy * s_.z[c];
+                zz[lane] += fz * s_.z[c];
+            }
+        }
+        return symmetric(sum_of(xx), sum_of(xy), sum_of(xz), sum_of(yy), sum_of(yz), sum_of(zz));
+    }
+
+    /// Fills the last eight up with contacts that carry no force.
+    void pad(std::size_t contacts) {
+        const std::size_t end = contacts + lanes;
+        for (std::size_t c = contacts; c < end; ++c) {
+            s_.x[c] = s_.y[c] = s_.z[c] = s_.closing[c] = s_.mass[c] = 0.0;
+            s_.distance[c] = s_.reach[c] = s_.diameter_first[c] = 1.0;
+        }
+    }
+
+    void add_forces(std::size_t contacts) {
+        for (std::size_t c = 0; c < contacts; ++c) {
+            Load& first = s_.loads[s_.contacts[c].first];
+            Load& second = s_.loads[s_.contacts[c].second];
+            const double f = s_.force[c];
+            const Double4 load = {f * s_.x[c], f * s_.y[c], f * s_.z[c], 1.0};
+            const Double4 reaction = {-load[0], -load[1], -load[2], 1.0};
+            store4(load4(first) + load, first);
+            store4(load4(second) + reaction, second);
+        }
+    }
+
+    void write_loads(const ContactTile& tile, Load* loads, Load* slots) const {
+        const auto own = static_cast<std::size_t>(tile.own_count);
+        for (std::size_t p = 0; p < own; ++p) loads[tile.participants[p].particle()] = s_.loads[p];
+        std::copy(s_.loads.begin() + tile.own_count, s_.loads.end(), slots + tile.first_slot);
+    }
+
+    static constexpr bool needs_diameters = std::is_same_v<Law, Hertz>;
+
+    const Mat3& h_;
+    const Law law_;
+    const double damping_;
+    const Mat3& gradient_;
+    ForceScratch::Thread& s_;
+};
+
+template <typename Law, bool damped>
+ContactSums forces_over_tiles(const PeriodicCell& cell, const Law& law, double damping,
+                              const Mat3& velocity_gradient, const ContactTiles& tiles,
+                              const Particles& particles, std::vector<Load>& loads,
+                              ForceScratch& scratch) {
+    const auto count = static_cast<Count>(tiles.tiles.size());
+    scratch.slots.resize(static_cast<std::size_t>(tiles.slot_count));
+    scratch.sums_of_tile.resize(tiles.tiles.size());
+    for_each_block(count, 1, [&](Count at, Count, Count) {
+        const auto t = static_cast<std::size_t>(at);
+        TileForces<Law, damped> forces(cell, law, damping, velocity_gradient,
+                                       scratch.threads.local());
+        scratch.sums_of_tile[t] =
+            forces.evaluate(tiles.tiles[t], particles, loads.data(), scratch.slots.data());
+    });
+    ContactSums sums;
+    for (const ContactSums& of_tile : scratch.sums_of_tile) sums += of_tile;
+    return sums;
+}
+
+}  // namespace
+
+ContactSums& ContactSums::operator+=(const ContactSums& other) {
+    virial += other.virial;
+    elastic_virial += other.elastic_virial;
+    energy += other.energy;
+    force_magnitudes += other.force_magnitudes;
+    contacts += other.contacts;
+    return *this;
+}
+
+ContactSums contact_forces(const PeriodicCell& cell, const Material& material,
+                           const ContactFlow& flow, const ContactTiles& tiles,
+                           const Particles& particles, std::vector<Load>& loads,
+                           ForceScratch& scratch) {
+    return with_elastic_law(material, [&](const auto& law) {
+        using Law = std::decay_t<decltype(law)>;
+        const auto run = flow.damped ? forces_over_tiles<Law, true> : forces_over_tiles<Law, false>;
+        return run(cell, law, material.damping, flow.velocity_gradient, tiles, particles, loads,
+                   scratch);
+    });
+}
+
+void add_halo_loads(const ContactTiles& tiles, Count block, const std::vector<Load>& slots,
+                    std::vector<Load>& loads) {
+    const auto at = static_cast<std::size_t>(block);
+    for (const Index particle : tiles.only_in_halo[at])
+        loads[static_cast<std::size_t>(particle)] = {Vec3::Zero(), 0.0};
+    for (auto k = static_cast<std::size_t>(tiles.halo_begin[at]);
+         k < static_cast<std::size_t>(tiles.halo_begin[at + 1]); ++k) {
+        Load& load = loads[static_cast<std::size_t>(tiles.halo_loads[k].particle)];
+        store4(load4(load) + load4(slots[tiles.halo_loads[k].slot]), load);
+    }
+}
+
+void add_halo_loads(const ContactTiles& tiles, const std::vector<Load>& slots,
+                    std::vector<Load>& loads) {
+    for_each_block(static_cast<Count>(loads.size()), ContactTiles::particles_per_block,
+                   [&](Count block, Count, Count) { add_halo_loads(tiles, block, slots, loads); });
+}
+
+}  // namespace jam

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jamming/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace jam {
+
+namespace {
+
+/// Largest minus smallest within the window; NaN while the samples do not yet span it.
+template <typename Quantity>
+double change_within_window(const JamState& state, const StopSettings& stop, Quantity quantity) {
+    const auto& samples = state.samples;
+    if (samples.empty() || samples.front().step > state.step - stop.window)
+        return std::numeric_limits<double>::quiet_NaN();
+    const auto [low, high] = std::minmax_element(
+        samples.begin(), samples.end(),
+        [&](const Sample& a, const Sample& b) { return quantity(a) < quantity(b); });
+    return quantity(*high) - quantity(*low);
+}
+
+Criterion criterion(const char* name, double value, double tolerance) {
+    return {name, value, tolerance, value <= tolerance};
+}
+
+}  // namespace
+
+Measurement measure(const JamState& state, const Scene& scene) {
+    Measurement measurement;
+    measurement.packing = to_packing(state, scene);
+    measurement.network = find_force_network(measurement.packing);
+    measurement.statistics = packing_statistics(measurement.packing, measurement.network);
+    return measurement;
+}
+
+void take_sample(const Measurement& measurement, const StopSettings& stop, JamState& state) {
+    auto& samples = state.samples;
+    samples.push_back(
+        {state.step, measurement.statistics.volume_fraction, measurement.statistics.coordination});
+    // The oldest sample kept is the last one that lies a whole window back.
+    while (samples.size() > 1 && samples[1].step <= state.step - stop.window) samples.pop_front();
+}
+
+double pressure_error(const Mat3& internal, const ProtocolSettings& protocol) {
+    Mat3 difference = internal - protocol.pressure;
+    if (protocol.free_cell == FreeCell::isotropic)
+        difference = Mat3::Identity() * (difference.trace() / 3.0);
+    else if (protocol.free_cell == FreeCell::orthogonal)
+        difference = Mat3(difference.diagonal().asDiagonal());
+    return difference.cwiseAbs().maxCoeff() / (protocol.pressure.trace() / 3.0);
+}
+
+Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene) {
+    const PackingStatistics& now = measurement.statistics;
+    const StopSettings& stop = scene.stop;
+    Verdict verdict;
+    verdict.criteria = {
+        criterion("pressure", pressure_error(now.pressure, scene.protocol), stop.pressure),
+        criterion("cundall", now.cundall, stop.cundall),
+        criterion("kinetic_energy", now.kinetic_energy_per_particle, stop.kinetic_energy),
+        criterion(
+            "volume_fraction_change",
+            change_within_window(state, stop, [](const Sample& s) { return s.volume_fraction; }),
+            stop.volume_fraction_change),
+        criterion("coordination_change",
+                  change_within_window(state, stop, [](const Sample& s) { return s.coordination; }),
+                  stop.coordination_change)};
+    return verdict;
+}
+
+}  // namespace jam

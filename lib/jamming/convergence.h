@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Is the packing jammed? The criteria of Monti et al., Methods, each with the tolerance of the
+// scene.
+#pragma once
+
+#include "analysis/packing_statistics.h"
+#include "jamming/jam_state.h"
+#include "jamming/scene.h"
+#include "jamming/verdict.h"
+
+namespace jam {
+
+/// Everything that is measured of a state at a record. The packing is the one that would be saved,
+/// and every number is evaluated on it.
+struct Measurement {
+    Packing packing;
+    ForceNetwork network;
+    PackingStatistics statistics;
+};
+
+Measurement measure(const JamState& state, const Scene& scene);
+
+/// Adds the measurement to the state's samples and drops those that no window needs any more.
+void take_sample(const Measurement& measurement, const StopSettings& stop, JamState& state);
+
+/// Criteria by the names of their tolerances in the scene; a window that is not yet full holds
+/// nothing.
+Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene);
+
+/// Largest |P_int - P_a| of the six components over the mean of P_a; of the components that the
+/// cell is free to answer to.
+double pressure_error(const Mat3& internal, const ProtocolSettings& protocol);
+
+}  // namespace jam

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jamming/jam_packing.h"
+
+#include "core/check.h"
+#include "jamming/nph_step.h"
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace jam {
+
+namespace {
+
+/// Wall time of this sitting on top of the earlier ones.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double earlier) : earlier_(earlier) {}
+    double sitting() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+    double total() const { return earlier_ + sitting(); }
+
+  private:
+    double earlier_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Steps a second since the record before.
+class Speedometer {
+  public:
+    double since_last(Count step, double seconds) {
+        const double speed =
+            last_ ? static_cast<double>(step - last_->step) / (seconds - last_->seconds)
+                  : Record::unknown;
+        last_ = Mark{step, seconds};
+        return speed;
+    }
+
+  private:
+    struct Mark {
+        Count step;
+        double seconds;
+    };
+    std::optional<Mark> last_;
+};
+
+double dynamic_cundall(const JamState& state, const ContactSums& sums) {
+    double net = 0.0;
+    for (const Load& load : state.particles.loads) net += load.force.norm();
+    return net / sums.force_magnitudes;
+}
+
+Record record_of(const JamState& state, const Measurement& measurement, const ContactSums& sums) {
+    const PackingStatistics& now = measurement.statistics;
+    Record record;
+    record.step = state.step;
+    record.time = state.time;
+    record.volume_fraction = now.volume_fraction;
+    record.coordination = now.coordination;
+    record.coordination_nr = now.coordination_nr;
+    record.rattler_fraction = now.rattler_fraction;
+    record.pressure = now.pressure;
+    record.pressure_dynamic = state.pressure;
+    record.cundall = now.cundall;
+    record.cundall_dynamic = dynamic_cundall(state, sums);
+    record.kinetic_energy_per_particle = now.kinetic_energy_per_particle;
+    record.cell = state.cell.matrix();
+    record.wall_seconds = state.wall_seconds;
+    return record;
+}
+
+/// One run by the nph protocol.
+class NphRun {
+  public:
+    NphRun(const Scene& scene, JamState& state, const JamHooks& hooks)
+        : scene_(scene),
+          state_(state),
+          hooks_(hooks),
+          settings_(nph_settings(scene, state)),
+          scratch_(diameters_by_id(state.particles), ListSettings{}),
+          watch_(state.wall_seconds) {}
+
+    JamResult run() {
+        begin_nph(state_, settings_, scratch_);
+        for (;;) {
+            nph_step(state_, settings_, scratch_);
+            require_finite();
+            const std::optional<JamOutcome> limit = reached_limit();
+            if (state_.step % scene_.run.record_interval == 0 || limit) {
+                JamResult result = measure_and_record();
+                if (limit) result.outcome = *limit;
+                if (result.verdict.converged()) result.outcome = JamOutcome::converged;
+                if (limit || result.verdict.converged()) {
+                    checkpoint();
+                    return result;
+                }
+            }
+            if (state_.step % scene_.run.checkpoint_interval == 0) checkpoint();
+        }
+    }
+
+  private:
+    std::optional<JamOutcome> reached_limit() const {
+        if (hooks_.stop_requested && hooks_.stop_requested()) return JamOutcome::interrupted;
+        if (state_.step >= scene_.stop.max_steps) return JamOutcome::step_limit;
+        if (scene_.stop.max_time > 0.0 && watch_.sitting() >= scene_.stop.max_time)
+            return JamOutcome::time_limit;
+        return std::nullopt;
+    }
+
+    JamResult measure_and_record() {
+        state_.wall_seconds = watch_.total();
+        JamResult result;
+        {
+            const StageTimer timer(scratch_.times, Stage::measure);
+            result.measurement = measure(state_, scene_);
+        }
+        // A stop between two records must leave no trace in the samples of the run that goes on.
+        if (state_.step % scene_.run.record_interval == 0)
+            take_sample(result.measurement, scene_.stop, state_);
+        result.verdict = judge(result.measurement, state_, scene_);
+        result.measurement.packing.provenance.verdict = to_json(result.verdict);
+        result.times = scratch_.times;
+        Record record = record_of(state_, result.measurement, scratch_.sums);
+        record.steps_per_second = speedometer_.since_last(state_.step, state_.wall_seconds);
+        if (hooks_.on_record) hooks_.on_record(record, result.verdict);
+        return result;
+    }
+
+    void checkpoint() {
+        state_.wall_seconds = watch_.total();
+        const StageTimer timer(scratch_.times, Stage::save);
+        if (hooks_.on_checkpoint) hooks_.on_checkpoint(state_);
+    }
+
+    void require_finite() const {
+        require(std::isfinite(state_.pressure.sum()),
+                "protocol.time_step = {:.6g}: the motion has become unbounded at step {}; the time "
+                "step must stay below the stability limit: use protocol.time_step = \"automatic\"",
+                settings_.time_step, state_.step);
+    }
+
+    const Scene& scene_;
+    JamState& state_;
+    const JamHooks& hooks_;
+    NphSettings settings_;
+    NphScratch scratch_;
+    Stopwatch watch_;
+    Speedometer speedometer_;
+};
+
+}  // namespace
+
+JamResult jam_packing(const Scene& scene, JamState& state, const JamHooks& hooks) {
+    return run_with_threads(scene.run.threads, [&] { return NphRun(scene, state, hooks).run(); });
+}
+
+}  // namespace jam

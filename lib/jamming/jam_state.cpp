@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jamming/jam_state.h"
+
+#include "core/check.h"
+#include "packing/packing_file.h"
+#include "placement/random_start.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace jam {
+
+namespace {
+
+Particles particles_at(const std::vector<Vec3>& centers, const std::vector<double>& diameters,
+                       const Scene& scene) {
+    const double smallest = *std::min_element(diameters.begin(), diameters.end());
+    const std::size_t count = diameters.size();
+    Particles particles;
+    particles.spheres.resize(count);
+    particles.motions.resize(count);
+    particles.loads.assign(count, Load{Vec3::Zero(), 0.0});
+    particles.ids.resize(count);
+    std::iota(particles.ids.begin(), particles.ids.end(), 0u);
+    for (std::size_t i = 0; i < count; ++i) {
+        particles.spheres[i] = {centers[i], diameters[i]};
+        particles.motions[i] = {
+            Vec3::Zero(),
+            inertial_mass(diameters[i], smallest, scene.protocol.masses, scene.contact.density)};
+    }
+    return particles;
+}
+
+JamState state_of_packing(const Scene& scene) {
+    const Packing packing = load_packing(scene.start.packing);
+    JamState state;
+    const PeriodicCell::Reduction reduction = packing.cell.reduced();
+    state.cell = reduction.cell;
+    std::vector<Vec3> centers;
+    centers.reserve(packing.positions.size());
+    for (const Vec3& position : packing.positions)
+        centers.push_back(wrapped(state.cell.fractional(position)));
+    state.particles = particles_at(centers, packing.diameters, scene);
+    state.original_ids = packing.ids;
+    return state;
+}
+
+}  // namespace
+
+double inertial_mass(double diameter, double smallest_diameter, Masses masses, double density) {
+    switch (masses) {
+        case Masses::true_mass:
+            return density * sphere_volume(diameter);
+        case Masses::diameter:
+            return density * sphere_volume(smallest_diameter) * diameter / smallest_diameter;
+        case Masses::equal:
+            return density * sphere_volume(smallest_diameter);
+    }
+    return 0.0;
+}
+
+JamState start_state(const Scene& scene) {
+    if (!scene.start.packing.empty()) return state_of_packing(scene);
+    const std::vector<double> diameters = draw_diameters(scene);
+    const RandomStart start = place_at_random(
+        diameters, {.volume_fraction = scene.start.volume_fraction, .seed = scene.run.seed});
+    JamState state;
+    state.cell = start.cell;
+    state.particles = particles_at(start.centers, diameters, scene);
+    return state;
+}
+
+std::vector<double> diameters_by_id(const Particles& particles) {
+    std::vector<double> diameters(particles.spheres.size());
+    for (std::size_t i = 0; i < diameters.size(); ++i)
+        diameters[particles.ids[i]] = particles.spheres[i].diameter;
+    return diameters;
+}
+
+Packing to_packing(const JamState& state, const Scene& scene) {
+    const Particles& particles = state.particles;
+    const auto count = static_cast<std::size_t>(particles.size());
+    Packing packing;
+    packing.cell = state.cell;
+    packing.positions.resize(count);
+    packing.diameters.resize(count);
+    packing.velocities.resize(count);
+    packing.ids = state.original_ids;
+    if (packing.ids.empty()) {
+        packing.ids.resize(count);
+        std::iota(packing.ids.begin(), packing.ids.end(), std::int64_t{0});
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto to = static_cast<std::size_t>(particles.ids[i]);
+        packing.positions[to] = state.cell.cartesian(wrapped(particles.spheres[i].center));
+        packing.diameters[to] = particles.spheres[i].diameter;
+        packing.velocities[to] = particles.motions[i].velocity;
+    }
+    packing.material = scene.contact;
+    packing.step = state.step;
+    packing.time = state.time;
+    packing.applied_pressure = scene.protocol.pressure;
+    packing.provenance.seed = scene.run.seed;
+    return packing;
+}
+
+}  // namespace jam

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The state of a run: everything that decides how it goes on, and nothing else.
+#pragma once
+
+#include "cell/periodic_cell.h"
+#include "jamming/scene.h"
+#include "neighbors/list_validity.h"
+#include "packing/packing.h"
+#include "particles/particles.h"
+
+#include <deque>
+
+namespace jam {
+
+/// What the criteria of stationarity look back on.
+struct Sample {
+    Count step;
+    double volume_fraction;
+    double coordination;
+};
+
+struct JamState {
+    PeriodicCell cell;
+    Mat3 velocity_gradient = Mat3::Zero();  ///< L of the cell's flow, upper triangular, 1/time
+    Particles particles;
+    Mat3 pressure = Mat3::Zero();  ///< internal, dynamic, of the last step
+    Count step = 0;
+    double time = 0.0;
+    double wall_seconds = 0.0;   ///< of all sittings
+    std::deque<Sample> samples;  ///< within stop.window, oldest first
+    /// For what the candidate list was made; with it a run that goes on has the same list in the
+    /// same order, and so the same bits. Empty before the first list.
+    ListReference list_reference;
+    std::vector<std::int64_t> original_ids;  ///< by id; empty where they are 0..N-1
+};
+
+/// The state a scene begins with: particles drawn and placed at random, or those of a saved
+/// packing; at rest.
+JamState start_state(const Scene& scene);
+
+/// Inertial masses by diameter, in units where the scene's density and stiffness stand.
+double inertial_mass(double diameter, double smallest_diameter, Masses masses, double density);
+
+/// Diameters in the order of the ids.
+std::vector<double> diameters_by_id(const Particles& particles);
+
+/// The state as a packing, particles in the order of their ids, positions within the cell.
+Packing to_packing(const JamState& state, const Scene& scene);
+
+}  // namespace jam

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "neighbors/contact_tiles.h"
+
+#include "core/check.h"
+
+#include <algorithm>
+
+namespace jam {
+
+namespace {
+
+constexpr Count rows_per_tile = 1024;
+constexpr std::size_t most_participants = 1 << 16;
+
+/// Makes the tiles of a range of rows with one thread's scratch.
+class TileMaker {
+  public:
+    TileMaker(const NeighborList& candidates, const PeriodicCell& cell,
+              const InteractionReach& reach, const Particles& particles,
+              TileScratch::Thread& scratch)
+        : candidates_(candidates),
+          h_(cell.matrix()),
+          reach_(reach),
+          particles_(particles),
+          scratch_(scratch) {
+        scratch_.participant_of.resize(particles.spheres.size(), none);
+    }
+
+    /// Appends the tiles of rows [begin, end): one, or more where one would have too many
+    /// participants for 16-bit numbers.
+    void make(Index begin, Index end, std::vector<ContactTile>& tiles) {
+        find_near(begin, end);
+        ContactTile tile;
+        number_own(begin, end, tile);
+        number_pairs(tile);
+        forget(tile);
+        if (tile.participants.size() <= most_participants) {
+            tiles.push_back(std::move(tile));
+            return;
+        }
+        require(end - begin > 1,
+                "neighbors: one particle is near {} others; let collections.ratio be smaller",
+                tile.participants.size());
+        const Index middle = begin + (end - begin) / 2;
+        make(begin, middle, tiles);
+        make(middle, end, tiles);
+    }
+
+  private:
+    void find_near(Index begin, Index end) {
+        scratch_.near.clear();
+        for (Index i = begin; i < end; ++i) {
+            const Sphere& sphere = particles_.spheres[static_cast<std::size_t>(i)];
+            for (const Neighbor neighbor : candidates_.row(i))
+                if (is_near(sphere, neighbor)) scratch_.near.emplace_back(i, neighbor);
+        }
+    }
+
+    bool is_near(const Sphere& sphere, Neighbor neighbor) const {
+        const Sphere& other = particles_.spheres[static_cast<std::size_t>(neighbor.particle())];
+        const ImageShift& shift = image_shifts[neighbor.image()];
+        const double sx = sphere.center[0] - other.center[0] - shift.x;
+        const double sy = sphere.center[1] - other.center[1] - shift.y;
+        const double sz = sphere.center[2] - other.center[2] - shift.z;
+        const double dx = h_(0, 0) * sx + h_(0, 1) * sy + h_(0, 2) * sz;
+        const double dy = h_(1, 1) * sy + h_(1, 2) * sz;
+        const double dz = h_(2, 2) * sz;
+        const double farthest = reach_.of(sphere.diameter, other.diameter);
+        return dx * dx + dy * dy + dz * dz <= farthest * farthest;
+    }
+
+    /// Own participants first and in the order of the rows, so that they are read in sequence.
+    void number_own(Index begin, Index end, ContactTile& tile) {
+        auto& own = scratch_.own;
+        own.assign(static_cast<std::size_t>(end - begin), false);
+        for (const auto& [i, neighbor] : scratch_.near) {
+            own[static_cast<std::size_t>(i - begin)] = true;
+            const Index j = neighbor.particle();
+            if (neighbor.image() == home_image && j >= begin && j < end)
+                own[static_cast<std::size_t>(j - begin)] = true;
+        }
+        scratch_.next_image.clear();
+        for (Index i = begin; i < end; ++i)
+            if (own[static_cast<std::size_t>(i - begin)]) number_of(Neighbor(i, home_image), tile);
+        tile.own_count = static_cast<Index>(tile.participants.size());
+    }
+
+    /// The halo is numbered by first appearance.
+    void number_pairs(ContactTile& tile) {
+        tile.pairs.reserve(scratch_.near.size());
+        for (const auto& [i, neighbor] : scratch_.near) {
+            const std::uint32_t first = number_of(Neighbor(i, home_image), tile);
+            const std::uint32_t second = number_of(neighbor, tile);
+            tile.pairs.push_back(
+                {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)});
+        }
+    }
+
+    /// Number of a participant, added if it is new. Images of one particle are chained.
+    std::uint32_t number_of(Neighbor participant, ContactTile& tile) {
+        std::uint32_t* link =
+            &scratch_.participant_of[static_cast<std::size_t>(participant.particle())];
+        while (*link != none) {
+            if (tile.participants[*link] == participant) return *link;
+            link = &scratch_.next_image[*link];
+        }
+        const auto number = static_cast<std::uint32_t>(tile.participants.size());
+        *link = number;
+        tile.participants.push_back(participant);
+        scratch_.next_image.push_back(none);
+        return number;
+    }
+
+    void forget(const ContactTile& tile) {
+        for (const Neighbor participant : tile.participants)
+            scratch_.participant_of[static_cast<std::size_t>(participant.particle())] = none;
+    }
+
+    static constexpr std::uint32_t none = ~0u;
+
+    const NeighborList& candidates_;
+    const Mat3& h_;
+    const InteractionReach& reach_;
+    const Particles& particles_;
+    TileScratch::Thread& scratch_;
+};
+
+void collect_tiles(TileScratch& scratch, ContactTiles& tiles) {
+    tiles.tiles.clear();
+    tiles.slot_count = 0;
+    for (auto& of_block : scratch.tiles_of_block) {
+        for (ContactTile& tile : of_block) {
+            tile.first_slot = tiles.slot_count;
+            tiles.slot_count += tile.halo_count();
+            tiles.tiles.push_back(std::move(tile));
+        }
+    }
+}
+
+/// Sorts the slots by block of the particle that each belongs to; stable, so that every particle's
+/// loads keep the order of the tiles.
+void index_halo_loads(Count particle_count, ContactTiles& tiles) {
+    const auto block_of = [](Neighbor participant) {
+        return static_cast<std::size_t>(participant.particle() / ContactTiles::particles_per_block);
+    };
+    const Count blocks = block_count(particle_count, ContactTiles::particles_per_block);
+    tiles.halo_begin.assign(static_cast<std::size_t>(blocks) + 1, 0);
+    const auto for_each_halo = [&](auto&& use) {
+        for (const ContactTile& tile : tiles.tiles)
+            for (Index k = 0; k < tile.halo_count(); ++k)
+                use(tile.participants[static_cast<std::size_t>(tile.own_count + k)],
+                    tile.first_slot + k);
+    };
+    for_each_halo([&](Neighbor halo, Count) { ++tiles.halo_begin[block_of(halo)]; });
+    exclusive_scan(tiles.halo_begin);
+    tiles.halo_loads.resize(static_cast<std::size_t>(tiles.slot_count));
+    std::vector<Count> next = tiles.halo_begin;
+    for_each_halo([&](Neighbor halo, Count slot) {
+        tiles.halo_loads[static_cast<std::size_t>(next[block_of(halo)]++)] = {
+            halo.particle(), static_cast<std::uint32_t>(slot)};
+    });
+}
+
+void find_only_in_halo(Count particle_count, std::vector<char>& has_own_load, ContactTiles& tiles) {
+    has_own_load.assign(static_cast<std::size_t>(particle_count), false);
+    for_each_block(static_cast<Count>(tiles.tiles.size()), 16, [&](Count, Count begin, Count end) {
+        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+            for (Index p = 0; p < tiles.tiles[t].own_count; ++p)
+                has_own_load[static_cast<std::size_t>(
+                    tiles.tiles[t].participants[static_cast<std::size_t>(p)].particle())] = true;
+    });
+    const std::size_t blocks = tiles.halo_begin.size() - 1;
+    tiles.only_in_halo.resize(blocks);
+    for_each_block(static_cast<Count>(blocks), 1, [&](Count block, Count, Count) {
+        const auto at = static_cast<std::size_t>(block);
+        tiles.only_in_halo[at].clear();
+        for (auto k = tiles.halo_begin[at]; k < tiles.halo_begin[at + 1]; ++k) {
+            const Index particle = tiles.halo_loads[static_cast<std::size_t>(k)].particle;
+            if (std::exchange(has_own_load[static_cast<std::size_t>(particle)], true)) continue;
+            tiles.only_in_halo[at].push_back(particle);
+        }
+    });
+}
+
+}  // namespace
+
+Count ContactTiles::pair_count() const {
+    Count count = 0;
+    for (const ContactTile& tile : tiles) count += static_cast<Count>(tile.pairs.size());
+    return count;
+}
+
+void make_contact_tiles(const NeighborList& candidates, const PeriodicCell& cell,
+                        const InteractionReach& reach, const Particles& particles,
+                        TileScratch& scratch, ContactTiles& tiles) {
+    const Count rows = candidates.particle_count();
+    scratch.tiles_of_block.resize(static_cast<std::size_t>(block_count(rows, rows_per_tile)));
+    for_each_block(rows, rows_per_tile, [&](Count block, Count begin, Count end) {
+        auto& of_block = scratch.tiles_of_block[static_cast<std::size_t>(block)];
+        of_block.clear();
+        TileMaker(candidates, cell, reach, particles, scratch.threads.local())
+            .make(static_cast<Index>(begin), static_cast<Index>(end), of_block);
+    });
+    collect_tiles(scratch, tiles);
+    index_halo_loads(particles.size(), tiles);
+    find_only_in_halo(particles.size(), scratch.has_own_load, tiles);
+}
+
+}  // namespace jam

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "neighbors/verlet_lists.h"
+
+#include <algorithm>
+
+namespace jam {
+
+namespace {
+
+void take_reference(const PeriodicCell& cell, const InteractionReach& reach,
+                    const Particles& particles, ListReference& reference) {
+    reference.cell = cell;
+    reference.reach = reach;
+    reference.centers.resize(particles.spheres.size());
+    for_each_block(particles.size(), 4096, [&](Count, Count begin, Count end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            reference.centers[i] = particles.spheres[i].center;
+    });
+}
+
+/// Reach that outlasts the next `inner_steps` steps, and no wider than the candidates'.
+InteractionReach inner_reach(const VerletLists& lists, const ExpectedMotion& motion) {
+    const double steps = lists.settings.inner_steps;
+    constexpr double rounding = 1e-12;
+    return {std::min(lists.outer.reach.strain_margin, steps * motion.strain_a_step + rounding),
+            std::min(lists.outer.reach.skin,
+                     steps * motion.displacement_a_step + rounding * lists.smallest_diameter)};
+}
+
+void make_tiles(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
+                double outer_displacement, Particles& particles) {
+    const InteractionReach reach = inner_reach(lists, motion);
+    make_contact_tiles(lists.candidates, cell, reach, particles, lists.tile_scratch, lists.tiles);
+    take_reference(cell, reach, particles, lists.inner);
+    lists.outer_displacement = outer_displacement;
+    // Particles that are in no tile keep this; see contact_forces.
+    for_each_block(particles.size(), 4096, [&](Count, Count begin, Count end) {
+        std::fill(particles.loads.begin() + begin, particles.loads.begin() + end,
+                  Load{Vec3::Zero(), 0.0});
+    });
+    ++lists.refilters;
+}
+
+double smallest(std::span<const double> diameters) {
+    return *std::min_element(diameters.begin(), diameters.end());
+}
+
+}  // namespace
+
+VerletLists::VerletLists(std::span<const double> diameters, const ListSettings& list_settings)
+    : hierarchy(geometric_collections(diameters, list_settings.collections)),
+      settings(list_settings),
+      smallest_diameter(smallest(diameters)) {}
+
+void renew_lists(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
+                 Particles& particles) {
+    const InteractionReach reach{lists.settings.outer_strain_margin,
+                                 lists.settings.outer_skin * lists.smallest_diameter};
+    find_candidates(lists.hierarchy, cell, reach, particles, lists.neighbor_scratch,
+                    lists.candidates);
+    take_reference(cell, reach, particles, lists.outer);
+    ++lists.searches;
+    make_tiles(lists, cell, motion, 0.0, particles);
+}
+
+void restore_lists(VerletLists& lists, const ListReference& outer, const PeriodicCell& cell,
+                   const ExpectedMotion& motion, Particles& particles) {
+    Particles then = particles;
+    for (std::size_t i = 0; i < then.spheres.size(); ++i) then.spheres[i].center = outer.centers[i];
+    find_candidates(lists.hierarchy, outer.cell, outer.reach, then, lists.neighbor_scratch,
+                    lists.candidates);
+    lists.outer = outer;
+    make_tiles(lists, cell, motion, largest_displacement(outer, cell, particles), particles);
+}
+
+ListRenewal keep_tiles_valid(VerletLists& lists, const PeriodicCell& cell,
+                             const ExpectedMotion& motion, double inner_displacement,
+                             Particles& particles) {
+    // Two displacements add up to at most this; the factor covers their rounding and the strain of
+    // the cell between the two measurements, so that the bound never lies below the truth.
+    const double growth = std::max(1.0, 1.0 / worst_shortening(cell, lists.inner.cell));
+    const double bound = (lists.outer_displacement * growth + inner_displacement) * (1.0 + 1e-9);
+    const bool inner_valid = list_is_valid(lists.inner, cell, inner_displacement);
+    if (inner_valid && list_is_valid(lists.outer, cell, bound)) return ListRenewal::none;
+    const double displacement = largest_displacement(lists.outer, cell, particles);
+    if (!list_is_valid(lists.outer, cell, displacement)) return ListRenewal::search_needed;
+    make_tiles(lists, cell, motion, displacement, particles);
+    return ListRenewal::tiles;
+}
+
+}  // namespace jam

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two levels of lists: candidates found by the search with a wide reach and seldom, and tiles
+// filtered from them with a narrow one whenever the motion has used it up.
+#pragma once
+
+#include "neighbors/contact_tiles.h"
+#include "neighbors/find_neighbors.h"
+#include "neighbors/list_validity.h"
+
+#include <span>
+
+namespace jam {
+
+struct ListSettings {
+    CollectionSettings collections;
+    double outer_skin = 0.1;            ///< of the candidates, in smallest diameters
+    double outer_strain_margin = 0.02;  ///< of the candidates
+    double inner_steps = 25.0;          ///< steps of present motion that the tiles should outlast
+};
+
+/// Scratch of a run: everything here can be made anew from the particles and `outer`.
+struct VerletLists {
+    VerletLists(std::span<const double> diameters, const ListSettings& settings);
+
+    GridHierarchy hierarchy;
+    ListSettings settings;
+    double smallest_diameter;
+    ListReference outer;
+    ListReference inner;
+    double outer_displacement = 0.0;  ///< of the particles since `outer`, when `inner` was made
+    NeighborList candidates;
+    ContactTiles tiles;
+    Count searches = 0;
+    Count refilters = 0;
+    NeighborScratch neighbor_scratch;
+    TileScratch tile_scratch;
+};
+
+/// How far the next steps move things: what the tiles' reach is chosen from.
+struct ExpectedMotion {
+    double displacement_a_step = 0.0;  ///< of the fastest particle
+    double strain_a_step = 0.0;
+};
+
+/// Searches anew at the particles' present places, which sorts and wraps them, and makes new tiles.
+void renew_lists(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
+                 Particles& particles);
+
+/// Makes the candidates again that an earlier search made at `outer`, for particles sorted as that
+/// search left them, and new tiles: a run that goes on from a checkpoint has the same rows in the
+/// same order.
+void restore_lists(VerletLists& lists, const ListReference& outer, const PeriodicCell& cell,
+                   const ExpectedMotion& motion, Particles& particles);
+
+enum class ListRenewal : std::uint8_t { none, tiles, search_needed };
+
+/// Keeps the tiles valid for the particles' present places: leaves them, filters new ones from the
+/// candidates, or answers that only a search will do. `inner_displacement` is
+/// largest_displacement(lists.inner, ...). Whether a search is needed does not depend on how often
+/// tiles were made.
+ListRenewal keep_tiles_valid(VerletLists& lists, const PeriodicCell& cell,
+                             const ExpectedMotion& motion, double inner_displacement,
+                             Particles& particles);
+
+}  // namespace jam

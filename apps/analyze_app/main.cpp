@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // analyze_app: measures packings. Arguments only; what is measured stands in lib/analysis.
+#include "analyze_app/picture_command.h"
 #include "analyze_app/stats_command.h"
 #include "core/parallel.h"
 #include "core/version.h"
@@ -21,6 +22,8 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(0, 1024));
     StatsOptions stats;
     const CLI::App* stats_command = add_stats_command(program, stats);
+    PictureOptions picture;
+    const CLI::App* picture_command = add_picture_command(program, picture);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -28,6 +31,7 @@ int run(int argc, char** argv) {
     }
     return run_with_threads(threads, [&]() -> int {
         if (stats_command->parsed()) return print_stats(stats);
+        if (picture_command->parsed()) return write_picture(picture);
         return exit_good;
     });
 }

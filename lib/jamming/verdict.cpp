@@ -30,7 +30,8 @@ std::string to_json(const Verdict& verdict) {
 Verdict verdict_from_json(const std::string& text) {
     Verdict verdict;
     try {
-        for (const Json& one : Json::parse(text).at("criteria")) {
+        const Json json = Json::parse(text);
+        for (const Json& one : json.at("criteria")) {
             const Json& value = one.at("value");
             verdict.criteria.push_back(
                 {one.at("name"),

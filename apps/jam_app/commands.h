@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The commands of jam_app. Each returns the exit status; bad input is thrown as InputError.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace jam::apps {
+
+/// What a user may say about a scene on the command line.
+struct SceneOptions {
+    std::filesystem::path scene;
+    std::vector<std::string> overrides;  ///< "table.key=value"
+};
+
+/// Prints a commented scene.
+int new_scene(const std::string& sizes_kind);
+
+/// Prints all keys of a scene as Markdown.
+int list_keys();
+
+/// Says what a scene will do.
+int check_scene(const SceneOptions& options);
+
+}  // namespace jam::apps

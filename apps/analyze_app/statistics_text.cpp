@@ -46,6 +46,9 @@ std::string contacts_lines(const PackingStatistics& s) {
     text += line("rattlers", fmt::format("{:.2f} %", 100.0 * s.rattler_fraction),
                  fmt::format("{} with fewer than {} contacts; the backbone has {}",
                              grouped(s.rattler_count), s.rattler_threshold, grouped(backbone)));
+    text += line(
+        "", "",
+        fmt::format("{} by the stricter test: not held from all sides", grouped(s.unheld_count)));
     text += line("overlap", fmt::format("{:.3g}", s.mean_overlap),
                  fmt::format("of the smaller diameter; largest {:.3g}", s.largest_overlap));
     return text;
@@ -92,6 +95,7 @@ ordered_json statistics_json(const PackingStatistics& s) {
     json["kinetic_energy_per_particle"] = s.kinetic_energy_per_particle;
     json["rattler_threshold"] = s.rattler_threshold;
     json["rattler_count"] = s.rattler_count;
+    json["unheld_count"] = s.unheld_count;
     json["contact_count_nr"] = s.contact_count_nr;
     json["isostatic_contact_count"] = s.isostatic_contact_count;
     json["excess_contact_count"] = s.excess_contact_count();

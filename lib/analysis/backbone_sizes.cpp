@@ -33,9 +33,9 @@ double fraction_above(std::span<const double> ascending, double x) {
 /// The smallest diameter D for which less than `threshold` of them are above D. F falls only at the
 /// diameters themselves, and equal ones fall together.
 double onset_diameter(std::span<const double> ascending, double threshold) {
-    const auto below =
-        std::partition_point(ascending.begin(), ascending.end(),
-                             [&](double x) { return fraction_above(ascending, x) >= threshold; });
+    const auto below = std::partition_point(ascending.begin(), ascending.end(), [&](double x) {
+        return fraction_above(ascending, x) >= threshold;
+    });
     return *below;
 }
 

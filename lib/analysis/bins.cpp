@@ -16,10 +16,11 @@ int Bins::bin_of(double x) const {
 }
 
 Bins logarithmic_bins(double low, double high, int per_decade) {
-    require(low > 0.0 && high >= low && per_decade > 0,
-            "logarithmic bins: from {} to {} in {} steps a decade; both ends must be above zero and "
-            "in order",
-            low, high, per_decade);
+    require(
+        low > 0.0 && high >= low && per_decade > 0,
+        "logarithmic bins: from {} to {} in {} steps a decade; both ends must be above zero and "
+        "in order",
+        low, high, per_decade);
     const int count =
         std::max(1, static_cast<int>(std::lround(std::log10(high / low) * per_decade)));
     Bins bins;

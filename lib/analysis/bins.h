@@ -22,8 +22,8 @@ struct Bins {
     std::vector<double> upper() const { return {edges.begin() + 1, edges.end()}; }
 };
 
-/// Equal steps of log x from `low` > 0 to `high`, about `per_decade` of them to a factor of ten. One
-/// bin of no width to speak of if low == high.
+/// Equal steps of log x from `low` > 0 to `high`, about `per_decade` of them to a factor of ten.
+/// One bin of no width to speak of if low == high.
 Bins logarithmic_bins(double low, double high, int per_decade);
 
 /// `count` equal steps.

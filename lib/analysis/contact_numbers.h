@@ -7,8 +7,8 @@
 
 namespace jam {
 
-/// f_c: the fraction of the backbone's particles that have exactly c contacts within it; sum_c f_c =
-/// 1 and sum_c c f_c = Z_nr (Monti et al., Fig. 6, inset). All zero without a backbone.
+/// f_c: the fraction of the backbone's particles that have exactly c contacts within it; sum_c f_c
+/// = 1 and sum_c c f_c = Z_nr (Monti et al., Fig. 6, inset). All zero without a backbone.
 struct ContactNumbers {
     std::vector<Count> particle_counts;  ///< by c, from 0 to the largest
 

@@ -28,7 +28,9 @@ std::pair<double, double> ContactPairSizes::most_probable() const {
     Eigen::Index larger = 0;
     Eigen::Index smaller = 0;
     joint.maxCoeff(&larger, &smaller);
-    const auto middle = [&](Eigen::Index b) { return std::sqrt(bins.edges[b] * bins.edges[b + 1]); };
+    const auto middle = [&](Eigen::Index b) {
+        return std::sqrt(bins.edges[b] * bins.edges[b + 1]);
+    };
     return {middle(larger), middle(smaller)};
 }
 

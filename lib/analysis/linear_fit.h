@@ -16,8 +16,8 @@ struct LinearFit {
     int point_count = 0;
 };
 
-/// Least squares weighted by 1 / error^2 (all errors above zero, one length). Errors of the result are
-/// standard errors, enlarged by the root of the reduced chi squared where that exceeds 1.
+/// Least squares weighted by 1 / error^2 (all errors above zero, one length). Errors of the result
+/// are standard errors, enlarged by the root of the reduced chi squared where that exceeds 1.
 LinearFit fit_line(std::span<const double> x, std::span<const double> y,
                    std::span<const double> errors);
 

@@ -27,9 +27,10 @@ Table table(const CumulativeVolume& volume);
 /// the smallest and the largest; of use only where they follow one.
 struct SizePowerLaw {
     double beta = 0.0;
-    double alpha = 0.0;              ///< 4 - beta: volume below D goes as D^alpha
-    double fractal_dimension = 0.0;  ///< beta - 1: the number above D goes as D^-d_f (Turcotte, 1986)
-    double error = 0.0;              ///< standard error of each, for diameters drawn at random
+    double alpha = 0.0;  ///< 4 - beta: volume below D goes as D^alpha
+    double fractal_dimension =
+        0.0;             ///< beta - 1: the number above D goes as D^-d_f (Turcotte, 1986)
+    double error = 0.0;  ///< standard error of each, for diameters drawn at random
 };
 
 /// Not a number if all diameters are one.

@@ -3,6 +3,7 @@
 
 #include "analysis/coordination.h"
 #include "analysis/static_stress.h"
+#include "analysis/unheld.h"
 #include "core/check.h"
 #include "core/parallel.h"
 
@@ -73,6 +74,7 @@ PackingStatistics packing_statistics(const Packing& packing, const ForceNetwork&
     statistics.rattler_count = network.rattlers.rattler_count;
     statistics.rattler_fraction =
         static_cast<double>(network.rattlers.rattler_count) / particle_count;
+    statistics.unheld_count = find_unheld(network.contacts, network.rows).rattler_count;
     statistics.contact_count = static_cast<Count>(network.contacts.size());
     statistics.contact_count_nr = network.rattlers.contact_count_nr;
     statistics.isostatic_contact_count = isostatic_contact_count(network.rattlers.backbone_count());

@@ -17,6 +17,7 @@ struct PackingStatistics {
     int rattler_threshold = default_rattler_threshold;
     Count rattler_count = 0;
     double rattler_fraction = 0.0;
+    Count unheld_count = 0;  ///< rattlers by the stricter test (unheld.h)
     Count contact_count = 0;
     Count contact_count_nr = 0;
     Count isostatic_contact_count = 0;  ///< for the backbone in a cell free in all six components

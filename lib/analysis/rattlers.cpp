@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "analysis/rattlers.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace jam {
 
@@ -25,27 +25,35 @@ void remove_one_by_one(std::span<const Contact> contacts, const ContactRows& row
 
 }  // namespace
 
+void count_backbone(std::span<const Contact> contacts, const ContactRows& rows,
+                    Rattlers& rattlers) {
+    const Index particle_count = rows.particle_count();
+    rattlers.contact_counts_nr.assign(particle_count, 0);
+    rattlers.rattler_count = 0;
+    for (Index i = 0; i < particle_count; ++i) rattlers.rattler_count += rattlers.is_rattler[i];
+    rattlers.contact_count_nr = 0;
+    for (const Contact& contact : contacts) {
+        if (!rattlers.bears(contact)) continue;
+        ++rattlers.contact_count_nr;
+        ++rattlers.contact_counts_nr[contact.first];
+        ++rattlers.contact_counts_nr[contact.second];
+    }
+}
+
 Rattlers find_rattlers(std::span<const Contact> contacts, const ContactRows& rows, int threshold) {
     const Index particle_count = rows.particle_count();
     Rattlers result;
     result.is_rattler.assign(particle_count, 0);
-    result.contact_counts_nr.resize(particle_count);
+    std::vector<int> counts(particle_count);
     std::vector<Index> loose;
     for (Index i = 0; i < particle_count; ++i) {
-        result.contact_counts_nr[i] = rows.contact_count(i);
-        if (rows.contact_count(i) >= threshold) continue;
+        counts[i] = rows.contact_count(i);
+        if (counts[i] >= threshold) continue;
         result.is_rattler[i] = 1;
         loose.push_back(i);
     }
-    remove_one_by_one(contacts, rows, threshold, std::move(loose), result.contact_counts_nr,
-                      result.is_rattler);
-    Count ends = 0;
-    for (Index i = 0; i < particle_count; ++i) {
-        if (result.is_rattler[i] != 0) result.contact_counts_nr[i] = 0;
-        result.rattler_count += result.is_rattler[i];
-        ends += result.contact_counts_nr[i];
-    }
-    result.contact_count_nr = ends / 2;
+    remove_one_by_one(contacts, rows, threshold, std::move(loose), counts, result.is_rattler);
+    count_backbone(contacts, rows, result);
     return result;
 }
 

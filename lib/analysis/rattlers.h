@@ -27,6 +27,9 @@ struct Rattlers {
     }
 };
 
+/// Fills in, from is_rattler, everything that follows from it.
+void count_backbone(std::span<const Contact> contacts, const ContactRows& rows, Rattlers& rattlers);
+
 /// Removes particles with fewer than `threshold` contacts, and so takes contacts from their
 /// partners, until every particle left has at least `threshold` (Donev et al., 2004). The result
 /// does not depend on the order of removal: it is the largest set in which all have enough. Time

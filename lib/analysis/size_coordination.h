@@ -16,9 +16,10 @@ struct SizeCoordinationSettings {
     double fit_from = 0.05;  ///< the line is fitted to bins with (D/lambda)^2 at least this
 };
 
-/// Z(D) - 3, the mean number of contacts beyond the three that hold a particle, by diameter, and the
-/// line that it follows for large particles: Z - 3 = intercept + slope (D/lambda)^2 (Monti et al.,
-/// Fig. 6). D/lambda is taken as D / max D. One entry a bin that holds a particle of the backbone.
+/// Z(D) - 3, the mean number of contacts beyond the three that hold a particle, by diameter, and
+/// the line that it follows for large particles: Z - 3 = intercept + slope (D/lambda)^2 (Monti et
+/// al., Fig. 6). D/lambda is taken as D / max D. One entry a bin that holds a particle of the
+/// backbone.
 struct SizeCoordination {
     std::vector<double> diameters;        ///< mean of the bin's particles
     std::vector<double> scaled_areas;     ///< mean (D / max D)^2 of the bin's particles

@@ -17,11 +17,11 @@ namespace jam {
 /// What the library tells its caller while it runs; each may be empty. They are called between
 /// steps, on the calling thread.
 struct JamHooks {
-    std::function<void(const Record&, const Verdict&)> on_record;
+    std::function<void(const Record&, const Verdict&)> on_record = {};
     /// The state is whole and may be written; a run that goes on from it has the same bits.
-    std::function<void(const JamState&)> on_checkpoint;
+    std::function<void(const JamState&)> on_checkpoint = {};
     /// Asked after every step; true ends the run with its state whole.
-    std::function<bool()> stop_requested;
+    std::function<bool()> stop_requested = {};
 };
 
 enum class JamOutcome : std::uint8_t { converged, step_limit, time_limit, interrupted };

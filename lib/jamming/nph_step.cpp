@@ -16,9 +16,8 @@ constexpr Count block_size = ContactTiles::particles_per_block;
 /// Keeps what the cell may do: nothing below the diagonal, no tilt, or the trace alone.
 Mat3 allowed(const Mat3& gradient, FreeCell free_cell) {
     if (free_cell == FreeCell::isotropic) return Mat3::Identity() * (gradient.trace() / 3.0);
-    Mat3 kept = gradient.triangularView<Eigen::Upper>();
-    if (free_cell == FreeCell::orthogonal) kept = kept.diagonal().asDiagonal();
-    return kept;
+    if (free_cell == FreeCell::orthogonal) return Mat3(gradient.diagonal().asDiagonal());
+    return gradient.triangularView<Eigen::Upper>();
 }
 
 void kick_cell(JamState& state, const NphSettings& settings) {

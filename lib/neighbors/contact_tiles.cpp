@@ -4,6 +4,7 @@
 #include "core/check.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace jam {
 
@@ -33,6 +34,7 @@ class TileMaker {
         ContactTile tile;
         number_own(begin, end, tile);
         number_pairs(tile);
+        if (scratch_.repeated_halo) sort_halo(tile);
         forget(tile);
         if (tile.participants.size() <= most_participants) {
             tiles.push_back(std::move(tile));
@@ -87,6 +89,7 @@ class TileMaker {
 
     /// The halo is numbered by first appearance.
     void number_pairs(ContactTile& tile) {
+        scratch_.repeated_halo = false;
         tile.pairs.reserve(scratch_.near.size());
         for (const auto& [i, neighbor] : scratch_.near) {
             const std::uint32_t first = number_of(Neighbor(i, home_image), tile);
@@ -102,6 +105,7 @@ class TileMaker {
             &scratch_.participant_of[static_cast<std::size_t>(participant.particle())];
         while (*link != none) {
             if (tile.participants[*link] == participant) return *link;
+            if (static_cast<Index>(*link) >= tile.own_count) scratch_.repeated_halo = true;
             link = &scratch_.next_image[*link];
         }
         const auto number = static_cast<std::uint32_t>(tile.participants.size());
@@ -109,6 +113,25 @@ class TileMaker {
         tile.participants.push_back(participant);
         scratch_.next_image.push_back(none);
         return number;
+    }
+
+    /// A particle that a tile sees through several images has several slots, added one after the
+    /// other. Their order must not depend on which pairs happened to be near, or new tiles would
+    /// change bits.
+    void sort_halo(ContactTile& tile) {
+        const auto own = static_cast<std::size_t>(tile.own_count);
+        std::vector<std::pair<Neighbor, std::size_t>> halo;
+        for (std::size_t p = own; p < tile.participants.size(); ++p)
+            halo.emplace_back(tile.participants[p], p);
+        std::sort(halo.begin(), halo.end(),
+                  [](const auto& a, const auto& b) { return a.first.word() < b.first.word(); });
+        std::vector<std::uint16_t> number(tile.participants.size());
+        std::iota(number.begin(), number.begin() + tile.own_count, std::uint16_t{0});
+        for (std::size_t k = 0; k < halo.size(); ++k) {
+            tile.participants[own + k] = halo[k].first;
+            number[halo[k].second] = static_cast<std::uint16_t>(own + k);
+        }
+        for (TilePair& pair : tile.pairs) pair.second = number[pair.second];
     }
 
     void forget(const ContactTile& tile) {

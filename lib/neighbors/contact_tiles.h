@@ -65,7 +65,8 @@ struct TileScratch {
         std::vector<std::uint32_t> participant_of;  ///< by particle: its first number in the tile
         std::vector<std::uint32_t> next_image;  ///< by participant: another image of the same one
         std::vector<std::pair<Index, Neighbor>> near;
-        std::vector<char> own;  ///< by row: whether it takes part
+        std::vector<char> own;       ///< by row: whether it takes part
+        bool repeated_halo = false;  ///< some particle is in the halo through several images
     };
     PerThread<Thread> threads;
     std::vector<std::vector<ContactTile>> tiles_of_block;

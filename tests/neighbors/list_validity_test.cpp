@@ -51,7 +51,7 @@ TEST(ListValidity, AValidListMissesNoContact) {
         const PeriodicCell now(Mat3((Mat3::Identity() + strain) * packing.cell.matrix()));
         for (std::size_t i = 0; i < packing.particles.spheres.size(); ++i)
             packing.particles.spheres[i].center +=
-                now.fractional(0.03 * Vec3(number(3 * i), number(3 * i + 1), number(3 * i + 2)));
+                now.fractional(0.036 * Vec3(number(3 * i), number(3 * i + 1), number(3 * i + 2)));
 
         const double displacement = largest_displacement(reference, now, packing.particles);
         if (!list_is_valid(reference, now, displacement)) {
@@ -59,16 +59,9 @@ TEST(ListValidity, AValidListMissesNoContact) {
             continue;
         }
         ++valid;
-        // Centers are not wrapped again, so that images mean the same.
-        for (const NearPair& pair : brute_force_neighbors(now, packing.particles.spheres)) {
-            const auto shift = [&](Index i) {
-                const Vec3& s = packing.particles.spheres[static_cast<std::size_t>(i)].center;
-                return Vec3(s - wrapped(s)).array().round().cast<std::int8_t>().matrix().eval();
-            };
-            const Image image = pair.image + shift(pair.first) - shift(pair.second);
-            const NearPair same = canonical_pair(pair.first, pair.second, image);
-            EXPECT_TRUE(std::binary_search(listed.begin(), listed.end(), same)) << "seed " << seed;
-        }
+        // Images count from the stored centers, which were not wrapped again: they mean the same.
+        for (const NearPair& pair : brute_force_neighbors(now, packing.particles.spheres))
+            EXPECT_TRUE(std::binary_search(listed.begin(), listed.end(), pair)) << "seed " << seed;
     }
     EXPECT_GT(valid, 20);
     EXPECT_GT(invalid, 20);

@@ -63,7 +63,7 @@ TEST(NphStep, CollisionFollowsTheDampedOscillatorWhileItRepels) {
             EXPECT_GT(analytic_overlap(0.5, speed, damping), 5e-3);
             errors.push_back(worst);
         }
-        EXPECT_LT(errors[0], 2e-5);
+        EXPECT_LT(errors[0], 5e-5);
         // The undamped scheme is of second order; damping forces lag by half a step and are of
         // first.
         EXPECT_LT(errors[1], errors[0] * (damping == 0.0 ? 0.3 : 0.6));
@@ -123,7 +123,7 @@ Moving moving(const Scene& scene) {
 
 TEST(NphStep, ConservesEnthalpyWithoutDampingToSecondOrder) {
     std::vector<double> drifts;
-    for (const double time_step : {0.1, 0.05}) {
+    for (const double time_step : {0.1, 0.025}) {
         Scene scene = small_scene();
         scene.contact.damping = 0.0;
         scene.protocol.cell_damping = 0.0;
@@ -144,7 +144,8 @@ TEST(NphStep, ConservesEnthalpyWithoutDampingToSecondOrder) {
         drifts.push_back(worst / before);
     }
     EXPECT_LT(drifts[0], 2e-3);
-    EXPECT_LT(drifts[1], 0.4 * drifts[0]);
+    // A first-order scheme would gain no more than a factor of four.
+    EXPECT_LT(drifts[1], 0.2 * drifts[0]);
 }
 
 TEST(NphStep, DampingOnlyTakesEnthalpyAway) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace jam {
 namespace {
@@ -51,7 +52,8 @@ TEST(ListValidity, AValidListMissesNoContact) {
         const PeriodicCell now(Mat3((Mat3::Identity() + strain) * packing.cell.matrix()));
         for (std::size_t i = 0; i < packing.particles.spheres.size(); ++i)
             packing.particles.spheres[i].center +=
-                now.fractional(0.036 * Vec3(number(3 * i), number(3 * i + 1), number(3 * i + 2)));
+                now.fractional((0.025 + 0.02 * std::abs(number(999))) *
+                               Vec3(number(3 * i), number(3 * i + 1), number(3 * i + 2)));
 
         const double displacement = largest_displacement(reference, now, packing.particles);
         if (!list_is_valid(reference, now, displacement)) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // analyze_app: measures packings. Arguments only; what is measured stands in lib/analysis.
+#include "analyze_app/compare_command.h"
+#include "analyze_app/convert_command.h"
 #include "analyze_app/picture_command.h"
 #include "analyze_app/stats_command.h"
 #include "core/parallel.h"
@@ -22,6 +24,10 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(0, 1024));
     StatsOptions stats;
     const CLI::App* stats_command = add_stats_command(program, stats);
+    CompareOptions compare;
+    const CLI::App* compare_command = add_compare_command(program, compare);
+    ConvertOptions convert;
+    const CLI::App* convert_command = add_convert_command(program, convert);
     PictureOptions picture;
     const CLI::App* picture_command = add_picture_command(program, picture);
     try {
@@ -31,6 +37,8 @@ int run(int argc, char** argv) {
     }
     return run_with_threads(threads, [&]() -> int {
         if (stats_command->parsed()) return print_stats(stats);
+        if (compare_command->parsed()) return print_comparison(compare);
+        if (convert_command->parsed()) return convert_packing(convert);
         if (picture_command->parsed()) return write_picture(picture);
         return exit_good;
     });

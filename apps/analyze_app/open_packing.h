@@ -5,11 +5,16 @@
 #include "packing/packing.h"
 
 #include <string>
+#include <vector>
 
 namespace jam::apps {
 
 /// Reads the packing. A file that is missing or damaged is the user's mistake here: it was named on
 /// the command line, and nothing has been done yet. Throws InputError only.
 Packing open_packing(const std::string& path);
+
+/// The packing at `path`, or all that are in the folder `path` and those below it, in order of
+/// their names: files .h5 (but not checkpoint.h5) and .dump. Throws InputError if there are none.
+std::vector<std::string> packings_at(const std::string& path);
 
 }  // namespace jam::apps

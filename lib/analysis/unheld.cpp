@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace jam {
 
@@ -74,6 +75,34 @@ bool unheld(std::span<const Contact> contacts, const ContactRows& rows,
     return within_half_space(directions);
 }
 
+std::vector<Index> unheld_among(const std::vector<Index>& doubtful,
+                                std::span<const Contact> contacts, const ContactRows& rows,
+                                const std::vector<std::uint8_t>& removed) {
+    std::vector<std::uint8_t> falls(doubtful.size());
+    for_each_block(static_cast<Count>(doubtful.size()), 256, [&](Count, Count begin, Count end) {
+        for (Count k = begin; k < end; ++k)
+            falls[k] = unheld(contacts, rows, removed, doubtful[k]) ? 1 : 0;
+    });
+    std::vector<Index> fallen;
+    for (std::size_t k = 0; k < doubtful.size(); ++k)
+        if (falls[k] != 0) fallen.push_back(doubtful[k]);
+    return fallen;
+}
+
+/// Who stood against one of the fallen and still stands, each once: a large particle loses many
+/// partners in one round and is tested once.
+std::vector<Index> partners_left(const std::vector<Index>& fallen,
+                                 std::span<const Contact> contacts, const ContactRows& rows,
+                                 const std::vector<std::uint8_t>& removed) {
+    std::vector<Index> partners;
+    for (const Index i : fallen)
+        for (const ContactEnd end : rows.row(i))
+            if (removed[end.partner(contacts)] == 0) partners.push_back(end.partner(contacts));
+    std::sort(partners.begin(), partners.end());
+    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+    return partners;
+}
+
 }  // namespace
 
 bool within_half_space(std::span<const Vec3> directions) {
@@ -85,25 +114,14 @@ bool within_half_space(std::span<const Vec3> directions) {
 }
 
 Rattlers find_unheld(std::span<const Contact> contacts, const ContactRows& rows) {
-    const Index particle_count = rows.particle_count();
-    const std::vector<std::uint8_t> none(particle_count, 0);
     Rattlers result;
-    result.is_rattler.resize(particle_count);
-    for_each_block(Count{particle_count}, 1024, [&](Count, Count begin, Count end) {
-        for (auto i = static_cast<Index>(begin); i < end; ++i)
-            result.is_rattler[i] = unheld(contacts, rows, none, i) ? 1 : 0;
-    });
-    std::vector<Index> queue;
-    for (Index i = 0; i < particle_count; ++i)
-        if (result.is_rattler[i] != 0) queue.push_back(i);
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-        for (const ContactEnd end : rows.row(queue[next])) {
-            const Index partner = end.partner(contacts);
-            if (result.is_rattler[partner] != 0) continue;
-            if (!unheld(contacts, rows, result.is_rattler, partner)) continue;
-            result.is_rattler[partner] = 1;
-            queue.push_back(partner);
-        }
+    result.is_rattler.assign(rows.particle_count(), 0);
+    std::vector<Index> doubtful(rows.particle_count());
+    std::iota(doubtful.begin(), doubtful.end(), 0);
+    while (!doubtful.empty()) {
+        const std::vector<Index> fallen = unheld_among(doubtful, contacts, rows, result.is_rattler);
+        for (const Index i : fallen) result.is_rattler[i] = 1;
+        doubtful = partners_left(fallen, contacts, rows, result.is_rattler);
     }
     count_backbone(contacts, rows, result);
     return result;

@@ -14,7 +14,7 @@ WrappedSpheres wrap_spheres(const Packing& packing) {
     require(packing.size() <= Count{Neighbor::index_mask},
             "packing: {} particles; at most {} can be analysed", packing.size(),
             Neighbor::index_mask);
-    const auto [cell, change] = packing.cell.reduced();
+    const PeriodicCell cell = packing.cell.reduced().cell;
     WrappedSpheres result{cell, std::vector<Sphere>(packing.positions.size())};
     for_each_block(packing.size(), 4096, [&](Count, Count begin, Count end) {
         for (Count i = begin; i < end; ++i)

@@ -51,7 +51,7 @@ class TileForces {
         gather_participants(tile, particles);
         const std::size_t contacts = find_contacts(tile);
         if constexpr (damped) find_closing_speeds(contacts);
-        const ContactSums sums = find_forces(contacts);
+        ContactSums sums = find_forces(contacts);
         add_forces(contacts);
         write_loads(tile, loads, slots);
         return sums;

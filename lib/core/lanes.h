@@ -16,7 +16,7 @@ template <typename Record>
 Double4 load4(const Record& record) {
     static_assert(sizeof(Record) == sizeof(Double4));
     Double4 values;
-    std::memcpy(&values, &record, sizeof values);
+    std::memcpy(&values, static_cast<const void*>(&record), sizeof values);
     return values;
 }
 

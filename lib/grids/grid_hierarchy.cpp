@@ -101,6 +101,7 @@ std::vector<TaskGraph::Task> GridHierarchy::add_sorting(TaskGraph& graph, const 
     sorted.loads.resize(count);
     sorted.ids.resize(count);
     std::vector<TaskGraph::Task> tasks;
+    tasks.reserve(grids_.size());
     for (int c = 0; c < collections_.count(); ++c)
         tasks.push_back(
             graph.add([this, c, &particles, &sorted] { sort_collection(c, particles, sorted); }));

@@ -32,10 +32,10 @@ struct Canvas {
     int height = 0;
     std::vector<Rgb> pixels;
 
-    Canvas(int width_, int height_, const Rgb& fill)
-        : width(width_),
-          height(height_),
-          pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), fill) {}
+    Canvas(int columns, int rows, const Rgb& fill)
+        : width(columns),
+          height(rows),
+          pixels(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill) {}
 
     Rgb& at(int x, int y) { return pixels[place(x, y)]; }
     const Rgb& at(int x, int y) const { return pixels[place(x, y)]; }

@@ -2,7 +2,7 @@
 #include "jamming/jam_state.h"
 
 #include "core/check.h"
-#include "packing/packing_file.h"
+#include "packing/packing_io.h"
 #include "placement/random_start.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Particles particles_at(const std::vector<Vec3>& centers, const std::vector<doubl
 }
 
 JamState state_of_packing(const Scene& scene) {
-    const Packing packing = load_packing(scene.start.packing);
+    const Packing packing = read_packing(scene.start.packing);
     JamState state;
     const PeriodicCell::Reduction reduction = packing.cell.reduced();
     state.cell = reduction.cell;

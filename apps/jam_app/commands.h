@@ -14,6 +14,12 @@ struct SceneOptions {
     std::vector<std::string> overrides;  ///< "table.key=value"
 };
 
+struct RunOptions {
+    SceneOptions scene;  ///< --out and --threads among the overrides
+    bool resume = false;
+    std::string command_line;
+};
+
 /// Prints a commented scene.
 int new_scene(const std::string& sizes_kind);
 
@@ -22,5 +28,8 @@ int list_keys();
 
 /// Says what a scene will do.
 int check_scene(const SceneOptions& options);
+
+/// Runs a scene to its verdict, into a folder of its own.
+int run_scene(const RunOptions& options);
 
 }  // namespace jam::apps

@@ -2,9 +2,12 @@
 // jam_app: from a scene to a jammed packing.
 #include "core/version.h"
 #include "jam_app/commands.h"
+#include "jamming/scene_keys.h"
 #include "shared/program.h"
+#include "shared/shell_word.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <functional>
 #include <string>
@@ -19,9 +22,33 @@ static void add_scene_options(CLI::App& command, SceneOptions& options) {
         ->allow_extra_args(false);
 }
 
+static std::string joined(int argc, char** argv) {
+    std::string out = "jam_app";
+    for (int i = 1; i < argc; ++i) out += fmt::format(" {}", shell_word(argv[i]));
+    return out;
+}
+
+/// Options that are short for a --set are turned into one, so that the same rules hold for them.
+static void add_run_options(CLI::App& command, RunOptions& options) {
+    add_scene_options(command, options.scene);
+    command.add_option_function<std::string>(
+        "--out",
+        [&options](const std::string& folder) {
+            options.scene.overrides.push_back("run.output=" + toml_text(folder));
+        },
+        "Folder of the results (run.output)");
+    command.add_option_function<std::string>(
+        "--threads",
+        [&options](const std::string& count) {
+            options.scene.overrides.push_back("run.threads=" + count);
+        },
+        "Threads; 0: all that the machine has (run.threads)");
+    command.add_flag("--resume", options.resume, "Go on with the run in the folder");
+}
+
 static int run_program(int argc, char** argv) {
     CLI::App program("Jams packings of spheres over a wide range of sizes.", "jam_app");
-    program.set_version_flag("--version", version);
+    program.set_version_flag("--version", std::string("jam_app ") + version);
     program.require_subcommand(1);
     std::function<int()> chosen;
 
@@ -37,6 +64,12 @@ static int run_program(int argc, char** argv) {
     auto* check = program.add_subcommand("check", "Say what a scene will do, without running it");
     add_scene_options(*check, checked);
     check->callback([&] { chosen = [&] { return check_scene(checked); }; });
+
+    RunOptions run;
+    run.command_line = joined(argc, argv);
+    auto* run_command = program.add_subcommand("run", "Jam a scene, into a folder of its own");
+    add_run_options(*run_command, run);
+    run_command->callback([&] { chosen = [&] { return run_scene(run); }; });
 
     try {
         program.parse(argc, argv);

@@ -156,13 +156,13 @@ void write_extended_xyz(const Packing& packing, const std::filesystem::path& pat
         const auto out = std::back_inserter(text);
         fmt::format_to(out, "{}\nLattice=\"{}\" ", packing.size(),
                        fmt::join(h.data(), h.data() + 9, " "));
-        fmt::format_to(out, "Properties=id:I:1:species:S:1:pos:R:3:radius:R:1{} ",
+        fmt::format_to(out, "Properties=species:S:1:pos:R:3:radius:R:1:id:I:1{} ",
                        moving ? ":velo:R:3" : "");
         fmt::format_to(out, "pbc=\"T T T\" Time={} Step={}\n", packing.time, packing.step);
         for (std::size_t i = 0; i < packing.positions.size(); ++i) {
             const Vec3& x = packing.positions[i];
-            fmt::format_to(out, FMT_COMPILE("{} X {} {} {} {}"), packing.ids[i], x[0], x[1], x[2],
-                           0.5 * packing.diameters[i]);
+            fmt::format_to(out, FMT_COMPILE("X {} {} {} {} {}"), x[0], x[1], x[2],
+                           0.5 * packing.diameters[i], packing.ids[i]);
             if (moving) {
                 const Vec3& v = packing.velocities[i];
                 fmt::format_to(out, FMT_COMPILE(" {} {} {}"), v[0], v[1], v[2]);

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace jam {
 namespace {
 
@@ -67,6 +69,23 @@ TEST(PackingIo, KnowsContentWhereTheNameDoesNotSay) {
         write_packing(saved, folder / name);
         std::filesystem::rename(folder / name, folder / "dump.1000");
         EXPECT_EQ(read_packing(folder / "dump.1000").positions, saved.positions);
+    }
+}
+
+TEST(PackingIo, ASpoiltTextIsReadOrRefusedButNeverWorse) {
+    const ScratchFolder folder;
+    for (const std::string_view name : {"a.dump", "a.data", "a.xyz", "a.csv"}) {
+        write_packing(random_packing(3), folder / name);
+        const std::string whole = content_of(folder / name);
+        const std::string spoilers("\n -x9\0\"", 7);
+        int refused = 0;
+        for (std::size_t place = 0; place < whole.size(); ++place) {
+            std::string spoilt = whole;
+            spoilt[place] = spoilers[place % spoilers.size()];
+            std::ofstream(folder / name, std::ios::binary) << spoilt;
+            refused += refusal_of([&] { read_packing(folder / name); }).empty() ? 0 : 1;
+        }
+        EXPECT_GT(refused, 50) << name;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "analyze_app/compare_command.h"
 #include "analyze_app/convert_command.h"
 #include "analyze_app/picture_command.h"
+#include "analyze_app/report_command.h"
 #include "analyze_app/stats_command.h"
 #include "core/parallel.h"
 #include "core/version.h"
@@ -30,6 +31,8 @@ int run(int argc, char** argv) {
     const CLI::App* convert_command = add_convert_command(program, convert);
     PictureOptions picture;
     const CLI::App* picture_command = add_picture_command(program, picture);
+    ReportOptions report;
+    const CLI::App* report_command = add_report_command(program, report);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -40,6 +43,7 @@ int run(int argc, char** argv) {
         if (compare_command->parsed()) return print_comparison(compare);
         if (convert_command->parsed()) return convert_packing(convert);
         if (picture_command->parsed()) return write_picture(picture);
+        if (report_command->parsed()) return write_report(report);
         return exit_good;
     });
 }

@@ -18,24 +18,26 @@ std::uint32_t bits_reversed(std::uint32_t x) {
     return (x >> 16) | (x << 16);
 }
 
-/// Owen's scrambling: each bit flipped by a hash of the bits above it.
-std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
-    x = bits_reversed(x);
+/// Flips each bit by a hash of the bits below it (S. Laine and T. Karras, 2011). On numbers whose
+/// bits are reversed this is Owen's scrambling.
+std::uint32_t permuted(std::uint32_t x, std::uint32_t seed) {
     x += seed;
     x ^= x * 0x6c50b47cU;
     x ^= x * 0xb82f1e52U;
     x ^= x * 0xc7afe638U;
     x ^= x * 0x8d22f6e6U;
-    return bits_reversed(x);
+    return x;
 }
 
-/// Sobol's second dimension; the first is the index with its bits reversed.
-std::uint32_t sobol_second(std::uint32_t index) {
-    std::uint32_t direction = 1U << 31;
-    std::uint32_t point = 0;
-    for (; index != 0; index >>= 1, direction ^= direction >> 1)
-        if ((index & 1U) != 0) point ^= direction;
-    return point;
+/// Sobol's second dimension with its bits reversed; the first one's are those of the index itself.
+/// Bit j is the sum, modulo 2, of the bits k of the index for which the binomial (k over j) is odd:
+/// those whose place k holds all bits of j.
+std::uint32_t sobol_second_reversed(std::uint32_t index) {
+    index ^= (index & 0xaaaaaaaaU) >> 1;
+    index ^= (index & 0xccccccccU) >> 2;
+    index ^= (index & 0xf0f0f0f0U) >> 4;
+    index ^= (index & 0xff00ff00U) >> 8;
+    return index ^ (index >> 16);
 }
 
 double unit_interval(std::uint32_t bits) {
@@ -66,9 +68,9 @@ std::array<double, 2> PixelSamples::point(SampleUse use, std::uint32_t number) c
     const auto high = static_cast<std::uint32_t>(key >> 32);
     // Shuffling the numbers differently for each use keeps what one use draws independent of the
     // others; a nested shuffle keeps every power of two of them an evenly spread set.
-    const std::uint32_t index = scrambled(number, low ^ high);
-    return {unit_interval(scrambled(bits_reversed(index), low)),
-            unit_interval(scrambled(sobol_second(index), high))};
+    const std::uint32_t index = bits_reversed(permuted(bits_reversed(number), low ^ high));
+    return {unit_interval(bits_reversed(permuted(index, low))),
+            unit_interval(bits_reversed(permuted(sobol_second_reversed(index), high)))};
 }
 
 Vec3 cosine_direction(const std::array<double, 2>& uv, const Vec3& normal) {

@@ -39,7 +39,7 @@ Rgb ambient_light(const Surface& surface, const VisibleScene& scene, std::span<c
                   const Lights& lights, const std::array<double, 2>& uv) {
     const Vec3 direction = cosine_direction(uv, surface.normal);
     const double open_sky = sky(lights, direction);
-    const auto neighbor = first_surface(scene, leaving(surface, direction));
+    const auto neighbor = first_sphere(scene, leaving(surface, direction));
     if (!neighbor) return static_cast<float>(open_sky) * Rgb{1.0F, 1.0F, 1.0F};
     return static_cast<float>(passed_on * open_sky) * color_of(*neighbor, colors);
 }

@@ -129,35 +129,36 @@ VisibleScene visible_scene(const Packing& packing, const std::vector<std::uint8_
             std::move(outline)};
 }
 
-std::optional<Surface> first_surface(const VisibleScene& scene, const Ray& ray) {
-    std::optional<Surface> surface;
-    Ray to_edges = ray;
+std::optional<Surface> first_sphere(const VisibleScene& scene, const Ray& ray) {
+    const auto inside = clipped(scene.region, ray);
+    if (!inside) return std::nullopt;
     const auto surface_of = [&](std::uint32_t ball, const Vec3& point, const Vec3& normal) {
         return Surface{point, normal, scene.sphere_of_ball[ball],
                        2.0 * scene.balls.balls()[ball].radius};
     };
-    if (const auto inside = clipped(scene.region, ray)) {
-        const Vec3 entry = inside->ray.at(inside->ray.begin);
-        const auto cut_ball =
-            inside->entry_face >= 0 ? scene.balls.ball_around(entry, ray.direction) : std::nullopt;
-        if (cut_ball) {
-            const auto face = static_cast<std::size_t>(inside->entry_face);
-            surface = surface_of(*cut_ball, entry, scene.region[face].normal);
-            to_edges.end = inside->ray.begin;
-        } else if (const auto hit = scene.balls.first_hit(inside->ray)) {
-            surface = surface_of(hit->object, ray.at(hit->distance), hit->normal);
-            to_edges.end = hit->distance;
-        }
+    if (inside->entry_face >= 0) {
+        const Vec3 entry = ray.at(inside->ray.begin);
+        if (const auto cut = scene.balls.ball_around(entry, ray.direction))
+            return surface_of(*cut, entry, scene.region[inside->entry_face].normal);
     }
-    if (const auto hit = scene.edges.first_hit(to_edges))
-        surface = Surface{ray.at(hit->distance), hit->normal, -1,
-                          2.0 * scene.edges.balls().front().radius};
-    return surface;
+    const auto hit = scene.balls.first_hit(inside->ray);
+    if (!hit) return std::nullopt;
+    return surface_of(hit->object, ray.at(hit->distance), hit->normal);
+}
+
+std::optional<Surface> first_surface(const VisibleScene& scene, const Ray& ray) {
+    const std::optional<Surface> sphere = first_sphere(scene, ray);
+    Ray to_edges = ray;
+    if (sphere) to_edges.end = (sphere->point - ray.origin).norm();
+    const auto edge = scene.edges.first_hit(to_edges);
+    if (!edge) return sphere;
+    return Surface{ray.at(edge->distance), edge->normal, -1,
+                   2.0 * scene.edges.balls().front().radius};
 }
 
 bool is_blocked(const VisibleScene& scene, const Ray& ray) {
     const auto inside = clipped(scene.region, ray);
-    return (inside && scene.balls.is_blocked(inside->ray)) || scene.edges.is_blocked(ray);
+    return inside && scene.balls.is_blocked(inside->ray);
 }
 
 }  // namespace jam

@@ -62,6 +62,9 @@ struct Surface {
     double size;          ///< diameter of what was hit
 };
 std::optional<Surface> first_surface(const VisibleScene& scene, const Ray& ray);
+
+/// The same with nothing but spheres there: the thin edges throw no light and no shadow.
+std::optional<Surface> first_sphere(const VisibleScene& scene, const Ray& ray);
 bool is_blocked(const VisibleScene& scene, const Ray& ray);
 
 }  // namespace jam

@@ -88,7 +88,7 @@ TEST(Picture, ASliceThroughTheMiddleLeavesHalfADiskFromTheSide) {
 TEST(Picture, ACutFaceIsFlat) {
     const Packing packing = one_sphere(3.0);
     PictureSettings settings = plain({-90.0, 90.0});
-    settings.samples = 256;
+    settings.samples = 64;
     const auto contrast = [&] {
         const Bitmap picture = render_picture(packing, one_color(packing, grey), settings);
         return std::abs(pixel(picture, side / 2, side / 2)[0] -
@@ -96,18 +96,18 @@ TEST(Picture, ACutFaceIsFlat) {
     };
     EXPECT_GT(contrast(), 20);  // round: its edge turns away from the light
     settings.scene.slices = {{2, 0.5}};
-    EXPECT_LE(contrast(), 2);
+    EXPECT_LE(contrast(), 3);
 }
 
 TEST(Picture, OverlappingSpheresAreCutCleanly) {
     const Packing packing = make_packing(Mat3::Identity() * 10.0,
                                          {Vec3(4.0, 5.0, 5.0), Vec3(6.0, 5.0, 5.0)}, {3.0, 3.0});
     PictureSettings settings = plain({-90.0, 90.0});
-    settings.samples = 256;
+    settings.samples = 64;
     settings.scene.slices = {{2, 0.5}};
     const Bitmap picture = render_picture(packing, one_color(packing, grey), settings);
     for (int x = 20; x < side - 20; ++x)
-        EXPECT_NEAR(pixel(picture, x, side / 2)[0], pixel(picture, 50, side / 2)[0], 2) << x;
+        EXPECT_NEAR(pixel(picture, x, side / 2)[0], pixel(picture, 50, side / 2)[0], 3) << x;
 }
 
 TEST(Picture, CutAtTheFacesShowsThePiecesThatReachInFromOtherCells) {

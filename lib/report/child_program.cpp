@@ -76,6 +76,7 @@ int exit_status_of(pid_t child) {
 
 ChildRun run_child(const std::vector<std::string>& command, const std::filesystem::path& folder) {
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     Pipe output;

@@ -16,6 +16,7 @@ enum class RandomStream : std::uint32_t {
     bootstrap = 4,
     tests = 5,
     picture = 6,
+    stability = 7,
 };
 
 /// Uniform double in the open interval (0, 1), with 53 random bits (Philox 4x32-10, Salmon et al.

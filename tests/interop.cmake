@@ -23,3 +23,18 @@ foreach(name h5py mdanalysis vtk lammps recipe)
     set_tests_properties(interop.${name} PROPERTIES
         LABELS interop FIXTURES_REQUIRED interop_files SKIP_RETURN_CODE 77 TIMEOUT 120)
 endforeach()
+
+# jam_app handoff: LAMMPS goes on with what we hand over.
+add_executable(fixed_cell interop/fixed_cell.cpp support/packings.cpp)
+target_include_directories(fixed_cell PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(fixed_cell PRIVATE widejam widejam_build_settings GTest::gtest)
+set(handoff ${CMAKE_CURRENT_BINARY_DIR}/handoff)
+add_test(NAME interop.handoff_packings COMMAND fixed_cell make ${dump} ${handoff})
+set_tests_properties(interop.handoff_packings PROPERTIES LABELS interop FIXTURES_SETUP handoff_packings)
+foreach(name forces steps)
+    add_test(NAME interop.handoff_${name}
+        COMMAND ${WIDEJAM_DEBIAN_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/interop/handoff_${name}_test.py
+            $<TARGET_FILE:jam_app> $<TARGET_FILE:fixed_cell> ${handoff})
+    set_tests_properties(interop.handoff_${name} PROPERTIES
+        LABELS interop FIXTURES_REQUIRED handoff_packings SKIP_RETURN_CODE 77 TIMEOUT 300)
+endforeach()

@@ -20,6 +20,11 @@ struct RunOptions {
     std::string command_line;
 };
 
+struct HandoffOptions {
+    SceneOptions scene;  ///< or a packing
+    std::filesystem::path folder;
+};
+
 /// Prints a commented scene.
 int new_scene(const std::string& sizes_kind);
 
@@ -31,5 +36,8 @@ int check_scene(const SceneOptions& options);
 
 /// Runs a scene to its verdict, into a folder of its own.
 int run_scene(const RunOptions& options);
+
+/// Writes what LAMMPS needs to do the scene's protocol.
+int hand_off(const HandoffOptions& options);
 
 }  // namespace jam::apps

@@ -14,8 +14,9 @@
 
 namespace jam::apps {
 
-static void add_scene_options(CLI::App& command, SceneOptions& options) {
-    command.add_option("scene", options.scene, "Scene file (TOML)")->required();
+static void add_scene_options(CLI::App& command, SceneOptions& options,
+                              const char* what = "Scene file (TOML)") {
+    command.add_option("scene", options.scene, what)->required();
     command
         .add_option("--set", options.overrides,
                     "table.key=value in place of what the scene says; may be given again")
@@ -70,6 +71,13 @@ static int run_program(int argc, char** argv) {
     auto* run_command = program.add_subcommand("run", "Jam a scene, into a folder of its own");
     add_run_options(*run_command, run);
     run_command->callback([&] { chosen = [&] { return run_scene(run); }; });
+
+    HandoffOptions handoff;
+    auto* handoff_command =
+        program.add_subcommand("handoff", "Write what LAMMPS needs to jam a scene or a packing");
+    add_scene_options(*handoff_command, handoff.scene, "Scene file (TOML), or a packing");
+    handoff_command->add_option("-o,--out", handoff.folder, "Folder for the files")->required();
+    handoff_command->callback([&] { chosen = [&] { return hand_off(handoff); }; });
 
     try {
         program.parse(argc, argv);

@@ -190,8 +190,12 @@ Packing read_lammps_data(const std::filesystem::path& path) {
     return packing;
 }
 
-void write_lammps_data(const Packing& packing, const std::filesystem::path& path) {
+void write_lammps_data(const Packing& packing, const std::filesystem::path& path,
+                       std::span<const double> densities) {
     check_packing(packing);
+    require(densities.empty() || densities.size() == packing.positions.size(),
+            "packing: {} spheres, {} densities; give one a sphere or none at all", packing.size(),
+            densities.size());
     const PeriodicCell cell =
         packing.cell.is_reduced() ? packing.cell : packing.cell.reduced().cell;
     const Mat3& h = cell.matrix();
@@ -212,8 +216,9 @@ void write_lammps_data(const Packing& packing, const std::filesystem::path& path
         fmt::format_to(out, "\nAtoms # sphere\n\n");
         for (std::size_t i = 0; i < packing.positions.size(); ++i) {
             const Vec3& x = packing.positions[i];
+            const double density = densities.empty() ? packing.material.density : densities[i];
             fmt::format_to(out, FMT_COMPILE("{} 1 {} {} {} {} {}\n"), packing.ids[i] + shift,
-                           packing.diameters[i], packing.material.density, x[0], x[1], x[2]);
+                           packing.diameters[i], density, x[0], x[1], x[2]);
             pass_on();
         }
         if (packing.velocities.empty()) return;

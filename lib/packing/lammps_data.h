@@ -5,6 +5,7 @@
 #include "packing/packing.h"
 
 #include <filesystem>
+#include <span>
 
 namespace jam {
 
@@ -16,7 +17,9 @@ Packing read_lammps_data(const std::filesystem::path& path);
 
 /// Writes such a file, each number with the digits that give the same number back, whole or not at
 /// all. LAMMPS refuses tilts beyond half an edge, so the cell is written reduced: the same lattice.
-/// Ids are shifted to start at 1 if any is below. Throws InputError (check_packing) and FileError.
-void write_lammps_data(const Packing& packing, const std::filesystem::path& path);
+/// Ids are shifted to start at 1 if any is below. `densities`: one a sphere in place of the
+/// material's, from which LAMMPS has the masses. Throws InputError (check_packing) and FileError.
+void write_lammps_data(const Packing& packing, const std::filesystem::path& path,
+                       std::span<const double> densities = {});
 
 }  // namespace jam

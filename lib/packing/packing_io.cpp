@@ -37,6 +37,10 @@ Packing read_last_frame(const fs::path& path) {
     return read_lammps_dump(path);
 }
 
+void write_with_one_density(const Packing& packing, const fs::path& path) {
+    write_lammps_data(packing, path);
+}
+
 void save_without_extras(const Packing& packing, const fs::path& path) {
     save_packing(packing, path);
 }
@@ -44,7 +48,8 @@ void save_without_extras(const Packing& packing, const fs::path& path) {
 constexpr std::array<Format, 5> formats = {{
     {".h5", "a packing file", load_packing, save_without_extras, true, true, true, false, true},
     {".dump", "a LAMMPS dump", read_last_frame, write_lammps_dump, true, false, false, true},
-    {".data", "a LAMMPS data file", read_lammps_data, write_lammps_data, false, false, true, true},
+    {".data", "a LAMMPS data file", read_lammps_data, write_with_one_density, false, false, true,
+     true},
     {".xyz", "an extended XYZ file", read_extended_xyz, write_extended_xyz, true, true, false,
      false},
     {".csv", "a CSV file", read_csv, write_csv, false, false, false, false},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,14 @@ struct HandoffOptions {
     std::filesystem::path folder;
 };
 
+struct SweepOptions {
+    std::filesystem::path file;
+    bool list = false;           ///< print a command for each run
+    std::string only;            ///< name of the one run to do; empty: all
+    std::optional<int> threads;  ///< of that run
+    std::string command_line;
+};
+
 /// Prints a commented scene.
 int new_scene(const std::string& sizes_kind);
 
@@ -39,5 +48,8 @@ int run_scene(const RunOptions& options);
 
 /// Writes what LAMMPS needs to do the scene's protocol.
 int hand_off(const HandoffOptions& options);
+
+/// Does the runs of a sweep that are not yet done.
+int sweep_scenes(const SweepOptions& options);
 
 }  // namespace jam::apps

@@ -47,6 +47,15 @@ static void add_run_options(CLI::App& command, RunOptions& options) {
     command.add_flag("--resume", options.resume, "Go on with the run in the folder");
 }
 
+static void add_sweep_options(CLI::App& command, SweepOptions& options) {
+    command.add_option("sweep", options.file, "Sweep file (TOML)")->required();
+    command.add_flag("--list", options.list, "Print one command for each run, and run nothing");
+    command.add_option("--only", options.only, "Do this run alone, unless it is done");
+    command.add_option("--threads", options.threads, "Threads of that run; 0: all of the machine")
+        ->check(CLI::Range(0, 4096))
+        ->needs("--only");
+}
+
 static int run_program(int argc, char** argv) {
     CLI::App program("Jams packings of spheres over a wide range of sizes.", "jam_app");
     program.set_version_flag("--version", std::string("jam_app ") + version);
@@ -71,6 +80,13 @@ static int run_program(int argc, char** argv) {
     auto* run_command = program.add_subcommand("run", "Jam a scene, into a folder of its own");
     add_run_options(*run_command, run);
     run_command->callback([&] { chosen = [&] { return run_scene(run); }; });
+
+    SweepOptions sweep;
+    sweep.command_line = run.command_line;
+    auto* sweep_command = program.add_subcommand(
+        "sweep", "Jam a grid of scenes, as many at once as the machine bears");
+    add_sweep_options(*sweep_command, sweep);
+    sweep_command->callback([&] { chosen = [&] { return sweep_scenes(sweep); }; });
 
     HandoffOptions handoff;
     auto* handoff_command =

@@ -40,17 +40,10 @@ std::filesystem::path output_folder(const Scene& scene, const std::filesystem::p
 
 // --- beginning ----------------------------------------------------------------------------------
 
-/// What may change between two sittings without making it another run.
-bool may_change(const std::string& difference) {
-    return difference.starts_with("stop.") ||
-           (difference.starts_with("run.") && !difference.starts_with("run.seed "));
-}
-
 void require_same_run(const Scene& now, const std::string& scene_before,
                       const std::filesystem::path& folder) {
-    std::vector<std::string> changed;
-    for (std::string& difference : scene_differences(now, parse_scene(scene_before, folder)))
-        if (!may_change(difference)) changed.push_back(std::move(difference));
+    const std::vector<std::string> changed =
+        differences_of_runs(now, parse_scene(scene_before, folder));
     require(changed.empty(),
             "--resume: the run in {} is of another scene: {}; only [stop] and [run] may change, "
             "run.seed not; start a run of its own in another folder by --out",

@@ -2,6 +2,7 @@
 // What stands in a scene file and its overrides, key by key, before anything is made of it.
 #pragma once
 
+#include "jamming/scene.h"
 #include "jamming/scene_rules.h"
 
 #include <filesystem>
@@ -33,5 +34,8 @@ struct SceneEntries {
 /// "table.key=value". An override replaces the entry of the file.
 SceneEntries read_entries(std::string_view text, const std::filesystem::path& file,
                           std::span<const std::string> overrides);
+
+/// The scene that the entries say. Throws one InputError that lists every mistake at its place.
+Scene scene_from(SceneEntries entries);
 
 }  // namespace jam

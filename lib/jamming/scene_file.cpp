@@ -178,9 +178,9 @@ static void check_pressure(Reading& reading) {
             "\"orthogonal\" or \"all\"");
 }
 
-static Scene scene_of(SceneEntries source) {
+Scene scene_from(SceneEntries entries) {
     Reading reading;
-    reading.source = std::move(source);
+    reading.source = std::move(entries);
     for (const SceneEntry& entry : reading.source.entries) read_entry(entry, reading);
     resolve_path("sizes.file", reading.draft.sizes.file, reading);
     resolve_path("start.packing", reading.draft.scene.start.packing, reading);
@@ -197,7 +197,7 @@ static Scene scene_of(SceneEntries source) {
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& file,
                   std::span<const std::string> overrides) {
-    return scene_of(read_entries(text, file, overrides));
+    return scene_from(read_entries(text, file, overrides));
 }
 
 Scene read_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {

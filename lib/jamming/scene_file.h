@@ -36,4 +36,7 @@ std::string scene_reference();
 /// Keys in which two scenes differ, each as "key = value (was value)".
 std::vector<std::string> scene_differences(const Scene& scene, const Scene& was);
 
+/// Those of them that make it another run: all but [stop] and [run], and run.seed.
+std::vector<std::string> differences_of_runs(const Scene& scene, const Scene& was);
+
 }  // namespace jam

@@ -74,6 +74,15 @@ std::vector<std::string> scene_differences(const Scene& scene, const Scene& was)
     return out;
 }
 
+std::vector<std::string> differences_of_runs(const Scene& scene, const Scene& was) {
+    std::vector<std::string> out = scene_differences(scene, was);
+    std::erase_if(out, [](const std::string& difference) {
+        return difference.starts_with("stop.") ||
+               (difference.starts_with("run.") && !difference.starts_with("run.seed "));
+    });
+    return out;
+}
+
 // --- templates ----------------------------------------------------------------------------------
 
 /// What a line says after its value. Ranges are left to the documentation and the error messages.

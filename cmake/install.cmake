@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# `cmake --install` and find_package(widejam); docs/examples/find_package uses both and is a test.
+# `cmake --install` and find_package(widejam); the examples in docs/examples/library use both, as tests.
 include(CMakePackageConfigHelpers)
 set(widejam_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/widejam)
 

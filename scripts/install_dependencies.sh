@@ -7,7 +7,7 @@ usage() {
     cat <<'USAGE'
 Usage: scripts/install_dependencies.sh [--check] [--interop] [--dry-run]
   (nothing)   what building and running takes
-  --check     also what ./check takes: formatter, linter, Python
+  --check     also what ./check takes: formatter, linter, Doxygen, Python
   --interop   also the programs that tests/interop runs: h5py, MDAnalysis, VTK, LAMMPS, Snakemake
   --dry-run   only say what is missing
 USAGE
@@ -16,7 +16,7 @@ USAGE
 core=(g++ cmake ninja-build git libtbb-dev libeigen3-dev libhdf5-dev libgtest-dev libgmock-dev
       libbenchmark-dev libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
       librandom123-dev libboost-dev gnuplot-nox libembree-dev libpng-dev libsuitesparse-dev)
-check=(clang-format clang-tidy python3)
+check=(clang-format clang-tidy doxygen python3)
 interop=(python3-h5py python3-mdanalysis python3-vtk9 lammps snakemake)
 
 wanted=("${core[@]}")

@@ -17,12 +17,12 @@ struct ForceDistributionSettings {
     double fit_up_to = 0.1;
 };
 
-/// P(f / <f>) over the contacts within the backbone, and theta of P ~ f^theta at small forces. Near
-/// jamming theta = 0.42 is predicted, and 0.17 for forces on particles that are held loosely by
-/// their neighbors (Charbonneau et al., Phys. Rev. Lett. 114, 125504, 2015).
+/// P(f / f_mean) over the contacts within the backbone, and theta of P ~ f^theta at small forces.
+/// Near jamming theta = 0.42 is predicted, and 0.17 for forces on particles that are held loosely
+/// by their neighbors (Charbonneau et al., Phys. Rev. Lett. 114, 125504, 2015).
 struct ForceDistribution {
-    double mean_force = 0.0;  ///< <f>
-    Bins bins;                ///< of f / <f>
+    double mean_force = 0.0;  ///< f_mean
+    Bins bins;                ///< of f / f_mean
     std::vector<double> density;
     std::vector<Count> contact_counts;
     PowerLawFit small_forces;  ///< exponent theta

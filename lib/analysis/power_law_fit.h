@@ -19,7 +19,7 @@ struct PowerLawFit {
 
 /// Maximum likelihood of a power law cut off at both ends. With t = ln(x / low), L = ln(high / low)
 /// and k = -(exponent + 1), the density of t is that of a cut-off exponential, and k solves
-/// <t> = 1/k - L / (exp(kL) - 1). Values outside [low, high], both above zero, do not count.
+/// mean t = 1/k - L / (exp(kL) - 1). Values outside [low, high], both above zero, do not count.
 PowerLawFit fit_power_law(std::span<const double> values, double low, double high);
 
 }  // namespace jam

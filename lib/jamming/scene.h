@@ -80,7 +80,7 @@ struct RunSettings {
     int threads = 0;                     ///< 0: all that the machine has
     Count record_interval = 1'000;       ///< steps
     Count checkpoint_interval = 50'000;  ///< steps
-    std::filesystem::path output;        ///< folder; empty: runs/<name of the scene file>
+    std::filesystem::path output;        ///< folder; empty: runs/NAME, after the scene file
 };
 
 struct Scene {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jam_app/progress.h"
 
+#include "jam_app/terminal.h"
+
 #include <fmt/format.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -9,8 +11,6 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
-#include <sys/ioctl.h>
-#include <unistd.h>
 #include <vector>
 
 namespace jam::apps {
@@ -29,7 +29,7 @@ static std::shared_ptr<spdlog::logger> make_log(const std::filesystem::path& fil
 Progress::Progress(const Scene& scene, const std::filesystem::path& log_file)
     : applied_pressure_(scene.protocol.pressure.trace() / 3.0),
       stop_(scene.stop),
-      on_terminal_(isatty(STDOUT_FILENO) == 1),
+      on_terminal_(on_terminal()),
       log_(make_log(log_file, on_terminal_)) {}
 
 Progress::~Progress() {
@@ -90,19 +90,14 @@ static std::string joined(const std::vector<std::string>& parts, std::size_t wid
     return line;
 }
 
-static std::size_t terminal_width() {
-    winsize size{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 79;
-    return size.ws_col - 1u;
-}
-
 void Progress::show(const Record& record, const Verdict& verdict) {
     const Clock::time_point now = Clock::now();
     const double sitting = std::chrono::duration<double>(now - began_).count();
     const std::vector<std::string> parts =
         fields(record, verdict, applied_pressure_, time_left(record, stop_, sitting));
     if (on_terminal_) {
-        fmt::print("\r\x1b[K{}", joined(parts, terminal_width()));
+        fmt::print("\r\x1b[K{}",
+                   joined(parts, static_cast<std::size_t>(terminal_size().columns) - 1));
         std::fflush(stdout);
         live_line_shown_ = true;
     }

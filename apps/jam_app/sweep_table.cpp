@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jam_app/sweep_table.h"
 
+#include "jam_app/terminal.h"
 #include "jamming/record.h"
 
 #include <fmt/format.h>
@@ -9,9 +10,6 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
-#include <optional>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace jam::apps {
 
@@ -62,14 +60,7 @@ static std::string progress(const SweepRun& run) {
     }
 }
 
-static winsize terminal() {
-    winsize size{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return {24, 80, 0, 0};
-    return size;
-}
-
-SweepTable::SweepTable(const Sweep& sweep)
-    : sweep_(sweep), on_terminal_(isatty(STDOUT_FILENO) == 1) {}
+SweepTable::SweepTable(const Sweep& sweep) : sweep_(sweep), on_terminal_(on_terminal()) {}
 
 void SweepTable::clear() {
     if (lines_shown_ > 0) fmt::print("\x1b[{}A\x1b[J", lines_shown_);
@@ -78,16 +69,17 @@ void SweepTable::clear() {
 
 void SweepTable::show(const std::vector<RunStatus>& statuses) {
     if (!on_terminal_) return;
-    const winsize size = terminal();
+    const TerminalSize size = terminal_size();
     std::size_t width = 0;
     for (const SweepRun& run : sweep_.runs) width = std::max(width, run.name.size());
     std::vector<std::string> lines = {counts(statuses)};
     for (std::size_t i = 0; i < statuses.size(); ++i)
-        if (statuses[i] == RunStatus::running && std::ssize(lines) < size.ws_row - 2)
+        if (statuses[i] == RunStatus::running && std::ssize(lines) < size.rows - 2)
             lines.push_back(
                 fmt::format("  {:<{}}  {}", sweep_.runs[i].name, width, progress(sweep_.runs[i])));
     clear();
-    for (const std::string& line : lines) fmt::print("{}\n", line.substr(0, size.ws_col - 1u));
+    for (const std::string& line : lines)
+        fmt::print("{}\n", line.substr(0, static_cast<std::size_t>(size.columns) - 1));
     std::fflush(stdout);
     lines_shown_ = static_cast<int>(lines.size());
 }

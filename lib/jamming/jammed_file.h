@@ -8,9 +8,7 @@
 
 namespace jam {
 
-/// Writes the packing of `result` with its contacts and, as observables, what was measured of it:
-/// volume_fraction, coordination, coordination_nr, rattler_fraction, cundall,
-/// kinetic_energy_per_particle and pressure (static). Throws as save_packing.
+/// Writes the packing of `result` with what was measured of it (analysis/measured_file.h).
 void save_jammed(const JamResult& result, const std::filesystem::path& path);
 
 }  // namespace jam

@@ -9,6 +9,7 @@ import shutil
 import sys
 
 from handoff_lammps import done, hand_over, need_lammps
+from reference import check, need
 
 SCENE = """
 [sizes]
@@ -67,6 +68,9 @@ def main():
     check_same("gone on", stats(analyze_app, "handed_jammed/final.dump"), expected)
     done([analyze_app, "convert", "final.dump", "final.h5"], "handed_jammed")
     check_same("converted", stats(analyze_app, "handed_jammed/final.h5"), expected)
+    with need("h5py").File("handed_jammed/final.h5") as file:
+        check("contacts in the converted file", len(file["connectivity/contacts"]), expected["contact_count"])
+        check("observable", file["observables/coordination_nr/value"][0], expected["coordination_nr"], 1e-15)
     shutil.rmtree("back", ignore_errors=True)
     done([jam_app, "run", "handed_jammed/back.toml", "--out", "back", "--set", "stop.kinetic_energy=1e-9"])
     check_same("taken back", stats(analyze_app, "back/packing.h5"), expected)

@@ -36,16 +36,21 @@ foreach(name forces steps)
         COMMAND ${WIDEJAM_DEBIAN_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/interop/handoff_${name}_test.py
             $<TARGET_FILE:jam_app> $<TARGET_FILE:fixed_cell> ${handoff})
     set_tests_properties(interop.handoff_${name} PROPERTIES
-        LABELS interop FIXTURES_REQUIRED handoff_packings SKIP_RETURN_CODE 77 TIMEOUT 300)
+        LABELS interop FIXTURES_REQUIRED handoff_packings SKIP_RETURN_CODE 77 TIMEOUT 600 PROCESSORS 2)
 endforeach()
 add_test(NAME interop.handoff_jammed
     COMMAND ${WIDEJAM_DEBIAN_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/interop/handoff_jammed_test.py
         $<TARGET_FILE:jam_app> $<TARGET_FILE:analyze_app> ${handoff})
 set_tests_properties(interop.handoff_jammed PROPERTIES
-    LABELS interop FIXTURES_REQUIRED handoff_packings SKIP_RETURN_CODE 77 TIMEOUT 300)
+    LABELS interop FIXTURES_REQUIRED handoff_packings SKIP_RETURN_CODE 77 TIMEOUT 600 PROCESSORS 2)
+add_test(NAME interop.handoff_protocol
+    COMMAND ${WIDEJAM_DEBIAN_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/interop/handoff_protocol_test.py
+        $<TARGET_FILE:jam_app> ${handoff})
+set_tests_properties(interop.handoff_protocol PROPERTIES
+    LABELS interop FIXTURES_REQUIRED handoff_packings SKIP_RETURN_CODE 77 TIMEOUT 600 PROCESSORS 2)
 
 # jam_app sweep on a cluster: Snakemake, and a job array without its scheduler.
 add_test(NAME interop.sweep_cluster
     COMMAND ${WIDEJAM_DEBIAN_PYTHON} -B ${CMAKE_CURRENT_SOURCE_DIR}/interop/sweep_cluster_test.py
         $<TARGET_FILE_DIR:jam_app> ${PROJECT_SOURCE_DIR}/docs/examples/sweep ${CMAKE_CURRENT_BINARY_DIR}/sweep)
-set_tests_properties(interop.sweep_cluster PROPERTIES LABELS interop SKIP_RETURN_CODE 77 TIMEOUT 300)
+set_tests_properties(interop.sweep_cluster PROPERTIES LABELS interop SKIP_RETURN_CODE 77 TIMEOUT 600)

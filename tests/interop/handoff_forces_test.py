@@ -27,7 +27,7 @@ def main():
         for law in ("hooke", "hertz"):
             packing, handed = f"lambda{size_ratio}.h5", f"handed_{size_ratio}_{law}"
             hand_over(jam_app, packing, handed, f"contact.law={law}")
-            expected = ours(fixed_cell, packing, "ours", law, 0.5)
+            expected = ours(fixed_cell, packing, "ours_forces", law, 0.5)
             for ranks in (1, 2):
                 compare(f"lambda {size_ratio}, {law}, {ranks} rank(s)", theirs(handed, ranks=ranks), expected)
 

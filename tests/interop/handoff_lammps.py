@@ -34,9 +34,9 @@ def hand_over(jam_app, packing, folder, *settings):
     done([jam_app, "handoff", packing, "-o", folder, *sets])
 
 
-def lammps(folder, script, ranks=1):
+def lammps(folder, script, ranks=1, log="none"):
     """Runs LAMMPS in the folder of a handoff."""
-    program = ["lmp", "-in", script, "-log", "none", "-screen", "none"]
+    program = ["lmp", "-in", script, "-log", log, "-screen", "none"]
     if ranks > 1:
         program = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np", str(ranks), *program]
     done(program, folder)

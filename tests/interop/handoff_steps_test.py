@@ -29,7 +29,7 @@ def main():
         hand_over(jam_app, "swinging.h5", handed, f"contact.law={law}", f"contact.damping={damping}")
 
         def we(part):
-            return ours(fixed_cell, "swinging.h5", "ours", law, damping, TIME_STEP / part, STEPS * part)
+            return ours(fixed_cell, "swinging.h5", "ours_steps", law, damping, TIME_STEP / part, STEPS * part)
 
         def they(part):
             return theirs(handed, TIME_STEP / part, STEPS * part)

@@ -30,6 +30,13 @@ Eigen::Array3i CollectionGrid::coordinates(Index bin) const {
     return {at % bins[0], at / bins[0] % bins[1], at / (bins[0] * bins[1])};
 }
 
+double bin_width(double cell_volume, Index member_count, double largest_share) {
+    constexpr double width_in_diameters = 2.0;
+    constexpr double least_occupancy = 24.0;
+    const double usual = width_in_diameters * 2.0 * largest_share;
+    return std::clamp(std::cbrt(least_occupancy * cell_volume / member_count), usual, 2.0 * usual);
+}
+
 Eigen::Array3i bins_along_edges(const PeriodicCell& cell, double bin_width, Index member_count) {
     const double most = std::max(1.0, 2.0 * member_count);
     double width = bin_width;

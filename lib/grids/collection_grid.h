@@ -30,6 +30,24 @@ struct CollectionGrid {
     Eigen::Array3i coordinates(Index bin) const;
 };
 
+/// Bin of an unwrapped coordinate, and its image: a division that rounds down, of numbers so close
+/// that subtracting is faster.
+struct WrappedBin {
+    int bin;
+    int image;
+};
+inline WrappedBin wrap_bin(int unwrapped, int bins) {
+    WrappedBin wrapped{unwrapped, 0};
+    for (; wrapped.bin < 0; wrapped.bin += bins) --wrapped.image;
+    for (; wrapped.bin >= bins; wrapped.bin -= bins) ++wrapped.image;
+    return wrapped;
+}
+
+/// Bins of a collection are two largest diameters wide (with their reach), or up to twice as wide
+/// where that would leave them nearly empty: below some two dozen members a search spends its time
+/// on going from bin to bin. `largest_share` is InteractionReach::of the largest diameter.
+double bin_width(double cell_volume, Index member_count, double largest_share);
+
 /// Bins along each edge so that none is narrower than `bin_width`, and that there are at most twice
 /// as many as members: memory follows the particles, never the empty volume.
 Eigen::Array3i bins_along_edges(const PeriodicCell& cell, double bin_width, Index member_count);

@@ -23,18 +23,6 @@ float reach_in_single_precision(const InteractionReach& reach, double diameter, 
     return static_cast<float>(share + rounding_margin * (share + bin_extent));
 }
 
-/// Bins hold about this many particles at least, as long as that makes them no wider than twice the
-/// usual: below it a search spends its time on going from bin to bin.
-constexpr double least_occupancy = 24.0;
-
-double bin_width(const PeriodicCell& cell, const CollectionGrid& grid,
-                 const InteractionReach& reach) {
-    const double usual =
-        GridHierarchy::bin_width_in_diameters * 2.0 * reach.of(grid.largest_diameter);
-    const double volume_a_member = cell.volume() / grid.member_count();
-    return std::clamp(std::cbrt(least_occupancy * volume_a_member), usual, 2.0 * usual);
-}
-
 /// Half the diagonal of a bin and the reach of its members: no local coordinate that the search
 /// forms with this grid is longer than four times this.
 double extent_of_bins(const PeriodicCell& cell, const CollectionGrid& grid,
@@ -128,7 +116,9 @@ void GridHierarchy::sort_collection(int collection, Particles& particles, Partic
 }
 
 void GridHierarchy::place_bins(CollectionGrid& grid) {
-    set_bins(grid, bins_along_edges(cell_, bin_width(cell_, grid, reach_), grid.member_count()));
+    const double width =
+        bin_width(cell_.volume(), grid.member_count(), reach_.of(grid.largest_diameter));
+    set_bins(grid, bins_along_edges(cell_, width, grid.member_count()));
     grid.largest_reach = reach_in_single_precision(reach_, grid.largest_diameter,
                                                    extent_of_bins(cell_, grid, reach_));
 }

@@ -23,10 +23,6 @@ struct LocalSpheres {
 
 class GridHierarchy {
   public:
-    /// Bins as wide as this many largest diameters (with their reach) of the collection, or wider
-    /// where that would leave them nearly empty.
-    static constexpr double bin_width_in_diameters = 2.0;
-
     explicit GridHierarchy(SizeCollections collections);
 
     const SizeCollections& collections() const { return collections_; }

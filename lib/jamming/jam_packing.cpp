@@ -78,7 +78,7 @@ class NphRun {
           state_(state),
           hooks_(hooks),
           settings_(nph_settings(scene, state)),
-          scratch_(diameters_by_id(state.particles), ListSettings{}),
+          scratch_(diameters_by_id(state.particles), scene.run.lists),
           watch_(state.wall_seconds) {}
 
     JamResult run() {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/types.h"
+#include "neighbors/list_settings.h"
 #include "particles/material.h"
 #include "sizes/draw_diameters.h"
 #include "sizes/size_distribution.h"
@@ -81,6 +82,7 @@ struct RunSettings {
     Count record_interval = 1'000;       ///< steps
     Count checkpoint_interval = 50'000;  ///< steps
     std::filesystem::path output;        ///< folder; empty: runs/NAME, after the scene file
+    ListSettings lists;
 };
 
 struct Scene {

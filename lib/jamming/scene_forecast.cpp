@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/scene_forecast.h"
 
-#include "neighbors/neighbor_list.h"
+#include "neighbors/verlet_lists.h"
 #include "packing/packing_file.h"
 #include "particles/particles.h"
 #include "sizes/rod_packing.h"
@@ -38,7 +38,7 @@ SceneForecast forecast(const Scene& scene) {
     out.start_cell_edge = edge(volume, out.start_volume_fraction);
     out.jammed_volume_fraction = rod_packing_fraction(diameters);
     out.jammed_cell_edge = edge(volume, out.jammed_volume_fraction);
-    out.collections = geometric_collections(diameters);
+    out.collections = list_collections(diameters, scene.run.lists);
     return out;
 }
 

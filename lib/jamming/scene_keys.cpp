@@ -169,7 +169,13 @@ static std::vector<SceneKey> run_keys() {
     const auto in = [](const auto& rule, auto member) {
         return bound(rule, &SceneDraft::scene, &Scene::run, member);
     };
+    const auto in_lists = [](const auto& rule, auto member) {
+        return bound(rule, &SceneDraft::scene, &Scene::run, &RunSettings::lists, member);
+    };
     using Run = RunSettings;
+    Choice<NeighborMethod> methods;
+    for (const NamedNeighborMethod& one : neighbor_methods)
+        methods.words.emplace_back(one.name, one.method);
     return {
         {"run.seed", "", "of everything random", in(Whole{0}, &Run::seed)},
         {"run.threads", "", "0: all that the machine has; the result does not depend on it",
@@ -180,6 +186,12 @@ static std::vector<SceneKey> run_keys() {
          in(Whole{1}, &Run::checkpoint_interval)},
         {"run.output", "", "folder of the results, relative to where the program is started",
          in(PathText{}, &Run::output), "runs/NAME, after the scene file NAME.toml", "runs/mine"},
+        {"run.neighbor_method", "", "how neighbors are searched; the other two cost more",
+         in_lists(methods, &ListSettings::method)},
+        {"run.collection_ratio", "",
+         "largest over smallest diameter within a collection; \"automatic\": by a model of the "
+         "cost",
+         in_lists(RealOrAutomatic{above(1, max_size_ratio)}, &ListSettings::collection_ratio)},
     };
 }
 

@@ -6,6 +6,22 @@
 
 namespace jam {
 
+/// Those of sixteen words whose bit is set, one after the other; returns where the next one goes.
+/// Up to `to + 16` may be overwritten.
+static std::uint32_t* copy_lanes(const std::uint32_t* words, std::uint32_t bits,
+                                 std::uint32_t* to) {
+#if defined(__AVX512F__)
+    // No branch on which candidates are near: nobody could predict it.
+    const __m512i kept =
+        _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_loadu_si512(words));
+    _mm512_storeu_si512(to, kept);
+    return to + std::popcount(bits & 0xffffu);
+#else
+    for (; bits != 0; bits &= bits - 1) *to++ = words[std::countr_zero(bits)];
+    return to;
+#endif
+}
+
 void CandidateBuffer::reserve(int count) {
     const auto needed = static_cast<std::size_t>(count + 2 * lane_count);
     if (word_.size() >= needed) return;
@@ -27,6 +43,19 @@ void CandidateBuffer::append_all(const LocalSpheres& local, Index begin, Index e
         word_[to + k] = Neighbor(begin + static_cast<Index>(k), home_image).word();
     }
     size_ += count;
+}
+
+std::size_t CandidateBuffer::copy_near(int member, std::uint32_t* to) const {
+    const LocalSphere center = sphere(member);
+    const std::uint32_t* const begin = to;
+    const int first = (member + 1) & ~(lane_count - 1);
+    std::uint32_t behind = ~0u << (member + 1 - first);
+    for (int at = first; at < size_; at += lane_count, behind = ~0u) {
+        const std::uint32_t near = behind & near_lanes(x_.data() + at, y_.data() + at,
+                                                       z_.data() + at, reach_.data() + at, center);
+        to = copy_lanes(word_.data() + at, near, to);
+    }
+    return static_cast<std::size_t>(to - begin);
 }
 
 #if defined(__AVX512F__)

@@ -52,7 +52,6 @@ class CandidateBuffer {
   public:
     void clear() { size_ = 0; }
     int size() const { return size_; }
-    std::uint32_t word(int at) const { return word_[static_cast<std::size_t>(at)]; }
     LocalSphere sphere(int at) const {
         const auto k = static_cast<std::size_t>(at);
         return {x_[k], y_[k], z_[k], reach_[k]};
@@ -69,11 +68,9 @@ class CandidateBuffer {
     /// Fills the last vector up with spheres that are near nothing.
     void pad();
 
-    /// Bits of the candidates at..at+15 near `center`.
-    std::uint32_t near(int at, const LocalSphere& center) const {
-        return near_lanes(x_.data() + at, y_.data() + at, z_.data() + at, reach_.data() + at,
-                          center);
-    }
+    /// Writes the words of the spheres that stand behind `member` and are near it to `to`, which
+    /// has room for size() + 16; returns how many. The buffer must be padded.
+    std::size_t copy_near(int member, std::uint32_t* to) const;
 
   private:
     void reserve(int count);

@@ -160,37 +160,49 @@ void collect_tiles(TileScratch& scratch, ContactTiles& tiles) {
     }
 }
 
+/// Calls use(tile) for all tiles, many at once.
+template <typename Use>
+void for_each_tile(const ContactTiles& tiles, Use&& use) {
+    for_each_block(static_cast<Count>(tiles.tiles.size()), 16, [&](Count, Count begin, Count end) {
+        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+            use(tiles.tiles[t]);
+    });
+}
+
 /// Sorts the slots by block of the particle that each belongs to; stable, so that every particle's
 /// loads keep the order of the tiles.
-void index_halo_loads(Count particle_count, ContactTiles& tiles) {
-    const auto block_of = [](Neighbor participant) {
-        return static_cast<std::size_t>(participant.particle() / ContactTiles::particles_per_block);
-    };
+void index_halo_loads(Count particle_count, TileScratch& scratch, ContactTiles& tiles) {
+    const auto slots = static_cast<std::size_t>(tiles.slot_count);
+    for (auto* column :
+         {&scratch.particle_of_slot, &scratch.block_of_slot, &scratch.slots_by_block})
+        column->resize(slots);
+    for_each_tile(tiles, [&](const ContactTile& tile) {
+        auto slot = static_cast<std::size_t>(tile.first_slot);
+        for (auto p = static_cast<std::size_t>(tile.own_count); p < tile.participants.size(); ++p) {
+            const Index particle = tile.participants[p].particle();
+            scratch.particle_of_slot[slot] = particle;
+            scratch.block_of_slot[slot++] =
+                static_cast<Index>(particle / ContactTiles::particles_per_block);
+        }
+    });
     const Count blocks = block_count(particle_count, ContactTiles::particles_per_block);
-    tiles.halo_begin.assign(static_cast<std::size_t>(blocks) + 1, 0);
-    const auto for_each_halo = [&](auto&& use) {
-        for (const ContactTile& tile : tiles.tiles)
-            for (Index k = 0; k < tile.halo_count(); ++k)
-                use(tile.participants[static_cast<std::size_t>(tile.own_count + k)],
-                    tile.first_slot + k);
-    };
-    for_each_halo([&](Neighbor halo, Count) { ++tiles.halo_begin[block_of(halo)]; });
-    exclusive_scan(tiles.halo_begin);
-    tiles.halo_loads.resize(static_cast<std::size_t>(tiles.slot_count));
-    std::vector<Count> next = tiles.halo_begin;
-    for_each_halo([&](Neighbor halo, Count slot) {
-        tiles.halo_loads[static_cast<std::size_t>(next[block_of(halo)]++)] = {
-            halo.particle(), static_cast<std::uint32_t>(slot)};
+    counting_sort(scratch.block_of_slot, static_cast<Index>(blocks), tiles.halo_begin,
+                  scratch.slots_by_block);
+    tiles.halo_loads.resize(slots);
+    for_each_block(tiles.slot_count, 1 << 14, [&](Count, Count begin, Count end) {
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+            const Index slot = scratch.slots_by_block[k];
+            tiles.halo_loads[k] = {scratch.particle_of_slot[static_cast<std::size_t>(slot)],
+                                   static_cast<std::uint32_t>(slot)};
+        }
     });
 }
 
 void find_only_in_halo(Count particle_count, std::vector<char>& has_own_load, ContactTiles& tiles) {
     has_own_load.assign(static_cast<std::size_t>(particle_count), false);
-    for_each_block(static_cast<Count>(tiles.tiles.size()), 16, [&](Count, Count begin, Count end) {
-        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
-            for (Index p = 0; p < tiles.tiles[t].own_count; ++p)
-                has_own_load[static_cast<std::size_t>(
-                    tiles.tiles[t].participants[static_cast<std::size_t>(p)].particle())] = true;
+    for_each_tile(tiles, [&](const ContactTile& tile) {
+        for (std::size_t p = 0; p < static_cast<std::size_t>(tile.own_count); ++p)
+            has_own_load[static_cast<std::size_t>(tile.participants[p].particle())] = true;
     });
     const std::size_t blocks = tiles.halo_begin.size() - 1;
     tiles.only_in_halo.resize(blocks);
@@ -225,7 +237,7 @@ void make_contact_tiles(const NeighborList& candidates, const PeriodicCell& cell
             .make(static_cast<Index>(begin), static_cast<Index>(end), of_block);
     });
     collect_tiles(scratch, tiles);
-    index_halo_loads(particles.size(), tiles);
+    index_halo_loads(particles.size(), scratch, tiles);
     find_only_in_halo(particles.size(), scratch.has_own_load, tiles);
 }
 

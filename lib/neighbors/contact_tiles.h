@@ -51,7 +51,7 @@ struct ContactTiles {
     Count slot_count = 0;
     /// By blocks of particles; within a block in the order of the tiles.
     std::vector<HaloLoad> halo_loads;
-    std::vector<Count> halo_begin;  ///< size blocks + 1
+    std::vector<Index> halo_begin;  ///< size blocks + 1
     /// By block: particles that are in the halo of other tiles and take part in none of their own.
     /// No tile writes their loads, so these start from zero.
     std::vector<std::vector<Index>> only_in_halo;
@@ -70,6 +70,7 @@ struct TileScratch {
     };
     PerThread<Thread> threads;
     std::vector<std::vector<ContactTile>> tiles_of_block;
+    std::vector<Index> particle_of_slot, block_of_slot, slots_by_block;
     std::vector<char> has_own_load;  ///< by particle
 };
 

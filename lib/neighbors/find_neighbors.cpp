@@ -5,27 +5,14 @@
 #include "neighbors/candidate_buffer.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace jam {
 
 namespace {
-
-using Words = std::vector<std::uint32_t>;
-
-/// Whole-number division and remainder that round down: bin of an unwrapped coordinate, and its
-/// image.
-struct WrappedBin {
-    int bin;
-    int image;
-};
-WrappedBin wrap_bin(int unwrapped, int bins) {
-    int image = unwrapped / bins;
-    if (unwrapped - image * bins < 0) --image;
-    return {unwrapped - image * bins, image};
-}
 
 /// One bin that searches: where it is and what encloses its members' reach.
 struct SearchingBin {
@@ -68,9 +55,9 @@ class CollectionSearch {
 
     /// Lists the neighbors of the members of bins [first, last) into `found`, row after row, and
     /// each row's length into `row_length`.
-    void search(Index first_bin, Index last_bin, CandidateBuffer& buffer, Words& found,
+    void search(Index first_bin, Index last_bin, CandidateBuffer& buffer, FoundWords& found,
                 std::vector<Index>& row_length) const {
-        found.clear();
+        found.count = 0;
         const CollectionGrid& grid = hierarchy_.grids()[own_];
         for (Index bin = first_bin; bin < last_bin; ++bin) {
             const SearchingBin searching = searching_bin(grid, bin);
@@ -122,51 +109,53 @@ class CollectionSearch {
             const bool same_z = own && z == at[2];
             for (int y = same_z ? std::max(low[1], at[1]) : low[1]; y <= high[1]; ++y) {
                 const bool same_row = same_z && y == at[1];
-                for (int x = same_row ? std::max(low[0], at[0] + 1) : low[0]; x <= high[0]; ++x)
-                    gather_bin(grid, {x, y, z}, searching, buffer);
+                gather_row(grid, same_row ? std::max(low[0], at[0] + 1) : low[0], high[0], y, z,
+                           searching, buffer);
             }
         }
     }
 
-    void gather_bin(const CollectionGrid& grid, const Eigen::Array3i& unwrapped,
+    /// Bins low..high of one row of a grid, all unwrapped. A search spends a good part of its time
+    /// on going from bin to bin, so all but one coordinate of the way there is found once a row.
+    void gather_row(const CollectionGrid& grid, int low, int high, int y, int z,
                     const SearchingBin& searching, CandidateBuffer& buffer) const {
-        const WrappedBin x = wrap_bin(unwrapped[0], grid.bins[0]);
-        const WrappedBin y = wrap_bin(unwrapped[1], grid.bins[1]);
-        const WrappedBin z = wrap_bin(unwrapped[2], grid.bins[2]);
-        // Centers farther off than one image are farther apart than the cell is wide.
-        if (std::abs(x.image) > 1 || std::abs(y.image) > 1 || std::abs(z.image) > 1) return;
-        const auto bin = static_cast<std::size_t>(grid.bin_at(x.bin, y.bin, z.bin));
-        const Index begin = grid.bin_begin[bin];
-        const Index end = grid.bin_begin[bin + 1];
-        if (begin == end) return;
-        const Vec3 center = ((unwrapped.cast<double>() + 0.5) / grid.bins.cast<double>()).matrix();
-        const Vec3 offset = hierarchy_.cell().cartesian(center - searching.center);
-        const LocalSphere moved{static_cast<float>(offset[0]), static_cast<float>(offset[1]),
-                                static_cast<float>(offset[2]), 0.0f};
-        // The listed image is added to the neighbor; see Neighbor for the sign.
-        buffer.append_near(hierarchy_.local(), begin, end, moved, searching.bounds,
-                           image_code(x.image, y.image, z.image));
-    }
-
-    void test_members(const SearchingBin& searching, const CandidateBuffer& buffer, Words& found,
-                      std::vector<Index>& row_length) const {
-        const int members = searching.end - searching.begin;
-        for (int member = 0; member < members; ++member) {
-            const std::size_t before = found.size();
-            test_member(member, buffer, found);
-            row_length[static_cast<std::size_t>(searching.begin + member)] =
-                static_cast<Index>(found.size() - before);
+        const WrappedBin row_y = wrap_bin(y, grid.bins[1]);
+        const WrappedBin row_z = wrap_bin(z, grid.bins[2]);
+        if (is_beyond_one_image(row_y) || is_beyond_one_image(row_z)) return;
+        const Vec3 step = (1.0 / grid.bins.cast<double>()).matrix();
+        const Vec3 begin = Vec3(low + 0.5, y + 0.5, z + 0.5).cwiseProduct(step) - searching.center;
+        const Vec3 offset = hierarchy_.cell().cartesian(begin);
+        const double step_x = hierarchy_.cell().matrix()(0, 0) * step[0];
+        for (int x = low; x <= high; ++x) {
+            const WrappedBin wrapped = wrap_bin(x, grid.bins[0]);
+            if (is_beyond_one_image(wrapped)) continue;
+            const auto bin =
+                static_cast<std::size_t>(grid.bin_at(wrapped.bin, row_y.bin, row_z.bin));
+            const Index first = grid.bin_begin[bin];
+            const Index last = grid.bin_begin[bin + 1];
+            if (first == last) continue;
+            const LocalSphere moved{static_cast<float>(offset[0] + (x - low) * step_x),
+                                    static_cast<float>(offset[1]), static_cast<float>(offset[2]),
+                                    0.0f};
+            buffer.append_near(hierarchy_.local(), first, last, moved, searching.bounds,
+                               image_code(wrapped.image, row_y.image, row_z.image));
         }
     }
 
-    static void test_member(int member, const CandidateBuffer& buffer, Words& found) {
-        const LocalSphere sphere = buffer.sphere(member);
-        const int first = (member + 1) & ~(lane_count - 1);
-        std::uint32_t behind = ~0u << (member + 1 - first);
-        for (int at = first; at < buffer.size(); at += lane_count, behind = ~0u) {
-            std::uint32_t near = buffer.near(at, sphere) & behind;
-            for (; near != 0; near &= near - 1)
-                found.push_back(buffer.word(at + std::countr_zero(near)));
+    /// Centers farther off than one image are farther apart than the cell is wide.
+    static bool is_beyond_one_image(const WrappedBin& wrapped) {
+        return wrapped.image < -1 || wrapped.image > 1;
+    }
+
+    void test_members(const SearchingBin& searching, const CandidateBuffer& buffer,
+                      FoundWords& found, std::vector<Index>& row_length) const {
+        const int members = searching.end - searching.begin;
+        for (int member = 0; member < members; ++member) {
+            const std::size_t before = found.count;
+            found.reserve(static_cast<std::size_t>(buffer.size()) + lane_count);
+            found.count += buffer.copy_near(member, found.words.data() + before);
+            row_length[static_cast<std::size_t>(searching.begin + member)] =
+                static_cast<Index>(found.count - before);
         }
     }
 
@@ -193,38 +182,55 @@ void search_collection(const GridHierarchy& hierarchy, std::size_t collection,
     });
 }
 
+/// Makes room for rows of the given lengths.
+void place_rows(const std::vector<Index>& row_length, NeighborList& list) {
+    constexpr Count rows_per_block = 1 << 14;
+    const auto count = static_cast<Count>(row_length.size());
+    const auto sum = [&](Count begin, Count end) {
+        return std::accumulate(row_length.begin() + begin, row_length.begin() + end, Count{0});
+    };
+    std::vector<Count> before(static_cast<std::size_t>(block_count(count, rows_per_block)));
+    for_each_block(count, rows_per_block, [&](Count block, Count begin, Count end) {
+        before[static_cast<std::size_t>(block)] = sum(begin, end);
+    });
+    const Count pairs = exclusive_scan(before);
+    list.row_begin.resize(row_length.size() + 1);
+    for_each_block(count, rows_per_block, [&](Count block, Count begin, Count end) {
+        Count next = before[static_cast<std::size_t>(block)];
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            list.row_begin[i] = next;
+            next += row_length[i];
+        }
+    });
+    list.row_begin.back() = pairs;
+    list.neighbors.resize(static_cast<std::size_t>(pairs));
+}
+
+void fill_rows(Index first_row, std::span<const std::uint32_t> words, NeighborList& list) {
+    std::transform(words.begin(), words.end(),
+                   list.neighbors.begin() + list.row_begin[static_cast<std::size_t>(first_row)],
+                   &Neighbor::from_word);
+}
+
 /// Rows of all blocks, one after the other: count, scan, fill.
 void assemble(const GridHierarchy& hierarchy, const NeighborScratch& scratch, NeighborList& list) {
-    const std::size_t count = scratch.row_length.size();
-    list.row_begin.resize(count + 1);
-    Count before = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        list.row_begin[i] = before;
-        before += scratch.row_length[i];
-    }
-    list.row_begin[count] = before;
-    list.neighbors.resize(static_cast<std::size_t>(before));
+    place_rows(scratch.row_length, list);
     for (std::size_t c = 0; c < scratch.found.size(); ++c) {
         const CollectionGrid& grid = hierarchy.grids()[c];
         const Count bins = bins_per_task(grid);
         for_each_block(grid.bin_count(), bins, [&](Count block, Count first, Count) {
-            const auto row =
-                static_cast<std::size_t>(grid.bin_begin[static_cast<std::size_t>(first)]);
-            const Words& words = scratch.found[c][static_cast<std::size_t>(block)];
-            std::transform(words.begin(), words.end(), list.neighbors.begin() + list.row_begin[row],
-                           &Neighbor::from_word);
+            fill_rows(grid.bin_begin[static_cast<std::size_t>(first)],
+                      scratch.found[c][static_cast<std::size_t>(block)].span(), list);
         });
     }
 }
 
-}  // namespace
-
-void find_candidates(GridHierarchy& hierarchy, const PeriodicCell& cell,
-                     const InteractionReach& reach, Particles& particles, NeighborScratch& scratch,
-                     NeighborList& candidates) {
+/// Sorting of the collections and their searches, as one graph.
+void find_over_hierarchy(GridHierarchy& hierarchy, const PeriodicCell& cell,
+                         const InteractionReach& reach, Particles& particles,
+                         NeighborScratch& scratch, NeighborList& candidates) {
     const std::size_t collections = hierarchy.grids().size();
     scratch.found.resize(collections);
-    scratch.row_length.resize(particles.spheres.size());
     PerThread<CandidateBuffer> buffers;
 
     TaskGraph graph;
@@ -235,6 +241,38 @@ void find_candidates(GridHierarchy& hierarchy, const PeriodicCell& cell,
     graph.run();
     std::swap(particles, scratch.sorted);
     assemble(hierarchy, scratch, candidates);
+}
+
+void find_over_fine_grid(GridHierarchy& hierarchy, const PeriodicCell& cell,
+                         const InteractionReach& reach, Particles& particles,
+                         NeighborScratch& scratch, NeighborList& candidates) {
+    TaskGraph graph;
+    hierarchy.add_sorting(graph, cell, reach, particles, scratch.sorted);
+    graph.run();
+    std::swap(particles, scratch.sorted);
+    search_fine_grid(hierarchy, particles, scratch.fine_grid, scratch.row_length);
+    place_rows(scratch.row_length, candidates);
+    const auto& found = scratch.fine_grid.found;
+    for_each_task(static_cast<Count>(found.size()), [&](Count block) {
+        fill_rows(static_cast<Index>(block * fine_grid_block),
+                  found[static_cast<std::size_t>(block)], candidates);
+    });
+}
+
+}  // namespace
+
+SizeCollections collections_for(NeighborMethod method, const SizeCollections& chosen) {
+    if (method != NeighborMethod::one_grid) return chosen;
+    return {.upper = {chosen.upper.back()}, .begin = {0, chosen.begin.back()}};
+}
+
+void find_candidates(GridHierarchy& hierarchy, const PeriodicCell& cell,
+                     const InteractionReach& reach, Particles& particles, NeighborScratch& scratch,
+                     NeighborList& candidates, NeighborMethod method) {
+    scratch.row_length.resize(particles.spheres.size());
+    const auto find =
+        method == NeighborMethod::multi_old ? find_over_fine_grid : find_over_hierarchy;
+    find(hierarchy, cell, reach, particles, scratch, candidates);
 }
 
 NeighborList within_reach(const NeighborList& candidates, const PeriodicCell& cell,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbors/verlet_lists.h"
 
+#include "grids/collection_choice.h"
+
 #include <algorithm>
 
 namespace jam {
@@ -41,23 +43,35 @@ void make_tiles(VerletLists& lists, const PeriodicCell& cell, const ExpectedMoti
     ++lists.refilters;
 }
 
+InteractionReach outer_reach(double smallest_diameter, const ListSettings& settings) {
+    return {settings.outer_strain_margin, settings.outer_skin * smallest_diameter};
+}
+
 double smallest(std::span<const double> diameters) {
     return *std::min_element(diameters.begin(), diameters.end());
 }
 
 }  // namespace
 
+SizeCollections list_collections(std::span<const double> diameters, const ListSettings& settings) {
+    if (settings.collection_ratio)
+        return collections_for(
+            settings.method,
+            geometric_collections(diameters, {.ratio = *settings.collection_ratio}));
+    const InteractionReach reach = outer_reach(smallest(diameters), settings);
+    return collections_for(settings.method, cheapest_collections(diameters, reach));
+}
+
 VerletLists::VerletLists(std::span<const double> diameters, const ListSettings& list_settings)
-    : hierarchy(geometric_collections(diameters, list_settings.collections)),
+    : hierarchy(list_collections(diameters, list_settings)),
       settings(list_settings),
       smallest_diameter(smallest(diameters)) {}
 
 void renew_lists(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
                  Particles& particles) {
-    const InteractionReach reach{lists.settings.outer_strain_margin,
-                                 lists.settings.outer_skin * lists.smallest_diameter};
+    const InteractionReach reach = outer_reach(lists.smallest_diameter, lists.settings);
     find_candidates(lists.hierarchy, cell, reach, particles, lists.neighbor_scratch,
-                    lists.candidates);
+                    lists.candidates, lists.settings.method);
     take_reference(cell, reach, particles, lists.outer);
     ++lists.searches;
     make_tiles(lists, cell, motion, 0.0, particles);
@@ -68,7 +82,7 @@ void restore_lists(VerletLists& lists, const ListReference& outer, const Periodi
     Particles then = particles;
     for (std::size_t i = 0; i < then.spheres.size(); ++i) then.spheres[i].center = outer.centers[i];
     find_candidates(lists.hierarchy, outer.cell, outer.reach, then, lists.neighbor_scratch,
-                    lists.candidates);
+                    lists.candidates, lists.settings.method);
     lists.outer = outer;
     make_tiles(lists, cell, motion, largest_displacement(outer, cell, particles), particles);
 }

@@ -5,18 +5,15 @@
 
 #include "neighbors/contact_tiles.h"
 #include "neighbors/find_neighbors.h"
+#include "neighbors/list_settings.h"
 #include "neighbors/list_validity.h"
 
 #include <span>
 
 namespace jam {
 
-struct ListSettings {
-    CollectionSettings collections;
-    double outer_skin = 0.1;            ///< of the candidates, in smallest diameters
-    double outer_strain_margin = 0.02;  ///< of the candidates
-    double inner_steps = 25.0;          ///< steps of present motion that the tiles should outlast
-};
+/// The collections that lists with these settings have, for particles of these diameters.
+SizeCollections list_collections(std::span<const double> diameters, const ListSettings& settings);
 
 /// Scratch of a run: everything here can be made anew from the particles and `outer`.
 struct VerletLists {

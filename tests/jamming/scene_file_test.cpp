@@ -171,6 +171,9 @@ const std::map<std::string, KeyCase>& cases() {
         {"run.record_interval", {run, {"1", "1e5"}, no_steps}},
         {"run.checkpoint_interval", {run, {"1", "1e5"}, no_steps}},
         {"run.output", {run, {"\"runs/x\""}, {"\"\"", "5"}}},
+        {"run.neighbor_method",
+         {run, {"\"default\"", "\"multi-old\"", "\"multi\""}, {"\"single\"", "1"}}},
+        {"run.collection_ratio", {run, {"4", "1.5", "\"automatic\""}, {"1", "0", "\"few\""}}},
     };
     return all;
 }

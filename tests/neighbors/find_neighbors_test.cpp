@@ -25,26 +25,34 @@ struct Searched {
 };
 
 Searched search(RandomPacking& packing, const SizeCollections& collections,
-                const InteractionReach& reach) {
-    GridHierarchy hierarchy(collections);
+                const InteractionReach& reach, NeighborMethod method = NeighborMethod::multi) {
+    GridHierarchy hierarchy(collections_for(method, collections));
     hierarchy.group(packing.particles);
     NeighborScratch scratch;
     Searched searched;
-    find_candidates(hierarchy, packing.cell, reach, packing.particles, scratch,
-                    searched.candidates);
+    find_candidates(hierarchy, packing.cell, reach, packing.particles, scratch, searched.candidates,
+                    method);
     searched.near = within_reach(searched.candidates, packing.cell, reach, packing.particles);
     return searched;
 }
 
 void expect_brute_force_list(RandomPacking packing, const SizeCollections& collections,
-                             const InteractionReach& reach) {
-    const Searched searched = search(packing, collections, reach);
+                             const InteractionReach& reach, NeighborMethod method) {
+    const Searched searched = search(packing, collections, reach, method);
     const auto expected = brute_force_neighbors(packing.cell, packing.particles.spheres,
                                                 reach.strain_margin, reach.skin);
     EXPECT_EQ(canonical_pairs(searched.near), expected);
     // The search itself may list a little more, by no more than its rounding: one per mille.
     const Count near = searched.near.pair_count();
     EXPECT_LE(searched.candidates.pair_count(), near + near / 100 + 3);
+}
+
+void expect_brute_force_list(const RandomPacking& packing, const SizeCollections& collections,
+                             const InteractionReach& reach) {
+    for (const NamedNeighborMethod& one : neighbor_methods) {
+        SCOPED_TRACE(one.name);
+        expect_brute_force_list(packing, collections, reach, one.method);
+    }
 }
 
 TEST(FindNeighbors, EqualsBruteForceInTiltedCellsOfAnySizeRatio) {
@@ -102,20 +110,32 @@ TEST(FindNeighbors, AWideSkinIsRight) {
                             {0.1, 1.0});
 }
 
+std::uint64_t hash_of_search(int threads, int count, NeighborMethod method) {
+    return run_with_threads(threads, [&] {
+        RandomPacking packing = random_packing(9, {.count = count, .size_ratio = 30.0});
+        const Searched searched =
+            search(packing, geometric_collections(test::diameters_of(packing.particles)),
+                   {0.01, 0.05}, method);
+        std::uint64_t hash = state_hash<Neighbor>(searched.candidates.neighbors);
+        hash = state_hash<Count>(searched.candidates.row_begin, hash);
+        return state_hash<std::uint32_t>(packing.particles.ids, hash);
+    });
+}
+
 TEST(FindNeighbors, SameRowsForAnyThreadCount) {
     const auto rows_with = [](int threads) {
-        return run_with_threads(threads, [] {
-            RandomPacking packing = random_packing(9, {.count = 20000, .size_ratio = 30.0});
-            const Searched searched =
-                search(packing, geometric_collections(test::diameters_of(packing.particles)),
-                       {0.01, 0.05});
-            std::uint64_t hash = state_hash<Neighbor>(searched.candidates.neighbors);
-            hash = state_hash<Count>(searched.candidates.row_begin, hash);
-            return state_hash<std::uint32_t>(packing.particles.ids, hash);
-        });
+        return hash_of_search(threads, 20000, NeighborMethod::multi);
     };
     const std::uint64_t alone = rows_with(1);
-    for (const int threads : {2, 3, 5, 8}) EXPECT_EQ(rows_with(threads), alone) << threads;
+    for (const int threads : {2, 3, 5, 8, 16}) EXPECT_EQ(rows_with(threads), alone) << threads;
+}
+
+TEST(FindNeighbors, TheOlderMethodsGiveTheSameRowsForAnyThreadCount) {
+    for (const auto method : {NeighborMethod::multi_old, NeighborMethod::one_grid}) {
+        const std::uint64_t alone = hash_of_search(1, 3000, method);
+        EXPECT_EQ(hash_of_search(3, 3000, method), alone);
+        EXPECT_EQ(hash_of_search(8, 3000, method), alone);
+    }
 }
 
 TEST(FindNeighbors, MemoryFollowsTheParticlesAtAnyRatio) {
@@ -127,6 +147,9 @@ TEST(FindNeighbors, MemoryFollowsTheParticlesAtAnyRatio) {
     find_candidates(hierarchy, packing.cell, {0.01, 0.1}, packing.particles, scratch, list);
     for (const CollectionGrid& grid : hierarchy.grids())
         EXPECT_LE(grid.bin_count(), 2 * grid.member_count());
+    find_candidates(hierarchy, packing.cell, {0.01, 0.1}, packing.particles, scratch, list,
+                    NeighborMethod::multi_old);
+    EXPECT_LE(scratch.fine_grid.grid.bin_count(), 2 * packing.particles.size());
 }
 
 TEST(FindNeighbors, RefusesACellNarrowerThanTheReach) {

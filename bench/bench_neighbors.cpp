@@ -1,90 +1,114 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cost of building a neighbor list, sorting included, against the size ratio and the number of
-// collections (Monti et al., Figs. 10 and 11).
-#include "core/state_hash.h"
-#include "dense_packing.h"
-#include "neighbors/find_neighbors.h"
+// Cost of a neighbor list against the size ratio for the three methods, and against the number and
+// spacing of collections (Monti et al., Figs. 10 and 11), as a table, CSV or JSON.
+#include "core/check.h"
+#include "core/parallel.h"
+#include "neighbor_cost.h"
 
-#include <benchmark/benchmark.h>
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <map>
-#include <tuple>
+#include <fstream>
 
 namespace jam::bench {
 namespace {
 
-const JamState& packing_of(double size_ratio, double alpha, Count count) {
-    static std::map<std::tuple<double, double, Count>, JamState> made;
-    const auto key = std::tuple(size_ratio, alpha, count);
-    const auto found = made.find(key);
-    if (found != made.end()) return found->second;
-    return made.emplace(key, dense_packing({size_ratio, alpha, count})).first->second;
+struct Options {
+    std::string sweep = "methods";
+    std::vector<std::string> methods = {"default", "multi-old", "multi"};
+    std::vector<double> size_ratios;
+    std::vector<double> alphas = {1.0};
+    double most_seconds = 60.0;
+    std::string csv;
+    std::string json;
+};
+
+std::vector<NeighborMethod> methods_named(const std::vector<std::string>& names) {
+    std::vector<NeighborMethod> methods;
+    for (const NamedNeighborMethod& one : neighbor_methods)
+        if (std::ranges::find(names, one.name) != names.end()) methods.push_back(one.method);
+    return methods;
 }
 
-void build(benchmark::State& run, const JamState& packing, const SizeCollections& collections,
-           int threads) {
-    run_with_threads(threads, [&] {
-        Particles particles = packing.particles;
-        GridHierarchy hierarchy(collections);
-        hierarchy.group(particles);
-        NeighborScratch scratch;
-        NeighborList list;
-        const auto search = [&] {
-            find_candidates(hierarchy, packing.cell, {0.0, 0.05}, particles, scratch, list);
-        };
-        search();  // sorts: what is measured is the build of a run that has begun
-        for ([[maybe_unused]] auto step : run) search();
-        const auto count = static_cast<double>(particles.size());
-        run.counters["ns/particle"] =
-            benchmark::Counter(count * 1e-9, benchmark::Counter::kIsIterationInvariantRate |
-                                                 benchmark::Counter::kInvert);
-        run.counters["pairs"] = static_cast<double>(list.pair_count()) / count;
-        run.counters["collections"] = collections.count();
-        run.counters["hash"] = static_cast<double>(state_hash<Neighbor>(list.neighbors) >> 40);
-    });
+std::vector<NeighborCost> measure(const Options& options) {
+    if (options.sweep == "collections") {
+        const auto& wanted = options.size_ratios;
+        return sweep_collections(wanted.empty() ? std::vector<double>{10, 20, 50, 100} : wanted,
+                                 options.alphas);
+    }
+    const auto& wanted = options.size_ratios;
+    return sweep_methods(
+        methods_named(options.methods),
+        wanted.empty() ? std::vector<double>{2, 5, 10, 20, 50, 100, 200, 300} : wanted,
+        options.most_seconds);
 }
 
-/// Arguments: size ratio, 10 alpha, particles, threads.
-void size_ratio(benchmark::State& run) {
-    const JamState& packing =
-        packing_of(double(run.range(0)), 0.1 * double(run.range(1)), run.range(2));
-    build(run, packing, geometric_collections(diameters_by_id(packing.particles)),
-          static_cast<int>(run.range(3)));
+std::string as_csv(const std::vector<NeighborCost>& costs) {
+    std::string text =
+        "method,lambda,particles,collections,spacing,build_ns_per_particle,"
+        "force_ns_per_particle\n";
+    for (const NeighborCost& cost : costs)
+        text += fmt::format("{},{},{},{},{},{:.1f},{:.1f}\n", cost.method, cost.size_ratio,
+                            cost.particles, cost.collections, cost.spacing, cost.build_ns,
+                            cost.force_ns);
+    return text;
 }
-BENCHMARK(size_ratio)
-    ->ArgNames({"lambda", "alpha10", "n", "threads"})
-    ->ArgsProduct({{1, 5, 10, 20, 50}, {10}, {100000}, {1, 2}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
 
-/// Arguments: size ratio, 100 times the ratio within a collection.
-void geometric_ratio(benchmark::State& run) {
-    const JamState& packing = packing_of(double(run.range(0)), 1.0, 100000);
-    build(run, packing,
-          geometric_collections(diameters_by_id(packing.particles),
-                                {.ratio = 0.01 * double(run.range(1))}),
-          1);
+std::string as_json(const std::vector<NeighborCost>& costs) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const NeighborCost& cost : costs)
+        rows.push_back({{"method", cost.method},
+                        {"lambda", cost.size_ratio},
+                        {"alpha", cost.alpha},
+                        {"particles", cost.particles},
+                        {"collections", cost.collections},
+                        {"spacing", cost.spacing},
+                        {"build_ns_per_particle", cost.build_ns},
+                        {"force_ns_per_particle", cost.force_ns},
+                        {"model_ns_per_particle", cost.model_ns}});
+    return rows.dump(2) + "\n";
 }
-BENCHMARK(geometric_ratio)
-    ->ArgNames({"lambda", "ratio100"})
-    ->ArgsProduct({{10, 20, 50}, {150, 200, 300, 400, 600, 800, 100000}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
 
-/// Arguments: size ratio, number of equal intervals of diameter.
-void linear_intervals(benchmark::State& run) {
-    const JamState& packing = packing_of(double(run.range(0)), 1.0, 100000);
-    build(run, packing,
-          linear_collections(diameters_by_id(packing.particles), static_cast<int>(run.range(1))),
-          1);
+void write(const std::string& file, const std::string& text) {
+    if (file.empty()) return;
+    std::ofstream out(file);
+    out << text;
+    if (!out.flush()) throw FileError(fmt::format("{}: cannot be written", file));
 }
-BENCHMARK(linear_intervals)
-    ->ArgNames({"lambda", "intervals"})
-    ->ArgsProduct({{10, 20, 50}, {1, 2, 4, 10, 20}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+
+int run(int argc, char** argv) {
+    Options options;
+    CLI::App app{"Cost of building a neighbor list, ns a particle on one thread."};
+    app.add_option("--sweep", options.sweep,
+                   "methods: binary, f_S = 0.5, against lambda; collections: power laws")
+        ->check(CLI::IsMember({"methods", "collections"}))
+        ->capture_default_str();
+    app.add_option("--method", options.methods, "which of default, multi-old, multi")
+        ->check(CLI::IsMember({"default", "multi-old", "multi"}))
+        ->delimiter(',');
+    app.add_option("--lambda", options.size_ratios, "size ratios, ascending")->delimiter(',');
+    app.add_option("--alpha", options.alphas, "exponents of the power laws")->delimiter(',');
+    app.add_option("--seconds", options.most_seconds, "a method stops where a build takes longer")
+        ->capture_default_str();
+    app.add_option("--csv", options.csv, "file for the table");
+    app.add_option("--json", options.json, "file for the table with model and alpha");
+    CLI11_PARSE(app, argc, argv);
+    const auto costs = run_with_threads(1, [&] { return measure(options); });
+    write(options.csv, as_csv(costs));
+    write(options.json, as_json(costs));
+    if (options.csv.empty() && options.json.empty()) fmt::print("{}", as_csv(costs));
+    return 0;
+}
 
 }  // namespace
 }  // namespace jam::bench
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    try {
+        return jam::bench::run(argc, argv);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
+}

@@ -6,8 +6,9 @@ Usage: scripts/check_docs.py DOCUMENT.md --programs DIR
 
 A block fenced as ```sh run is run by bash, the document's blocks one after the other, in a scratch
 folder that also holds data/ and docs/; the two programs are on the PATH. A block stops at its first
-failing command, unless the block shows one on purpose: ```sh run exit=2. Blocks fenced otherwise
-are not run, and may not call the programs: an example that nobody runs goes stale.
+failing command, unless the block shows one on purpose: ```sh run exit=2. A block fenced as
+```toml scene is a scene, or the part of one that matters here, and must pass `jam_app check`. Blocks
+fenced otherwise are not run, and may not call the programs: an example that nobody runs goes stale.
 """
 
 import argparse
@@ -67,6 +68,9 @@ def problems(document, programs, folder):
             found = [link_problem(document, target) for target in LINK.findall(text)]
         elif fence.split()[:2] == ["sh", "run"]:
             found = [run_problem(fence.split()[2:], text, folder, programs)]
+        elif fence.split() == ["toml", "scene"]:
+            (Path(folder) / "block.toml").write_text(text + "\n")
+            found = [run_problem([], "jam_app check block.toml", folder, programs)]
         elif CALLS_PROGRAM.search(text):
             found = ["calls a program but is not run: fence it as ```sh run"]
         else:

@@ -58,16 +58,16 @@ class LowerTriangle {
     void add_spring(Index row_1, Index row_2, const Mat3& stiffness) {
         diagonal_[row_1] += stiffness;
         diagonal_[row_2] += stiffness;
-        const Index below = std::max(row_1, row_2);
-        const Index left = std::min(row_1, row_2);
+        const Index below = 3 * std::max(row_1, row_2);
+        const Index left = 3 * std::min(row_1, row_2);
         for (int c = 0; c < 3; ++c)
             for (int r = 0; r < 3; ++r)
-                entries_.emplace_back(3 * below + r, 3 * left + c, -stiffness(r, c));
+                entries_.emplace_back(below + r, left + c, -stiffness(r, c));
     }
 
     Eigen::SparseMatrix<double> matrix() {
-        const auto size = static_cast<Index>(diagonal_.size());
-        for (Index i = 0; i < size; ++i)
+        const auto size = static_cast<Eigen::Index>(diagonal_.size());
+        for (Eigen::Index i = 0; i < size; ++i)
             for (int c = 0; c < 3; ++c)
                 for (int r = c; r < 3; ++r)
                     entries_.emplace_back(3 * i + r, 3 * i + c, diagonal_[i](r, c));
@@ -117,7 +117,7 @@ EnthalpyHessian enthalpy_hessian(const Packing& packing, const ForceNetwork& net
     for (const Index i : hessian.particles) squares += packing.diameters[i] * packing.diameters[i];
     hessian.strain_length = std::sqrt(squares);
     LowerTriangle displacement(count, network.contacts.size());
-    hessian.mixed.setZero(3 * Eigen::Index{count}, strain_count);
+    hessian.mixed.setZero(Eigen::Index{3} * count, strain_count);
     hessian.volume = packing.cell.volume();
     hessian.strain = pressure * hessian.volume * volume_curvature();
     with_elastic_law(packing.material, [&](const auto& law) {
@@ -130,8 +130,8 @@ EnthalpyHessian enthalpy_hessian(const Packing& packing, const ForceNetwork& net
             hessian.strain += arms.transpose() * spring.stiffness * arms;
             if (row_1 == row_2) continue;  // a particle and its own image move alike
             displacement.add_spring(row_1, row_2, spring.stiffness);
-            hessian.mixed.middleRows<3>(3 * row_1) += spring.stiffness * arms;
-            hessian.mixed.middleRows<3>(3 * row_2) -= spring.stiffness * arms;
+            hessian.mixed.middleRows<3>(Eigen::Index{3} * row_1) += spring.stiffness * arms;
+            hessian.mixed.middleRows<3>(Eigen::Index{3} * row_2) -= spring.stiffness * arms;
         }
     });
     hessian.displacement = displacement.matrix();

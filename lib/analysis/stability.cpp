@@ -21,14 +21,14 @@ double mean_diagonal(const Eigen::SparseMatrix<double>& matrix) {
 }
 
 /// Takes the mean displacement of the `count` particles away.
-void remove_translation(Eigen::VectorXd& vector, Index count) {
+void remove_translation(Eigen::VectorXd& vector, Eigen::Index count) {
     Vec3 mean = Vec3::Zero();
-    for (Index i = 0; i < count; ++i) mean += vector.segment<3>(3 * i);
+    for (Eigen::Index i = 0; i < count; ++i) mean += vector.segment<3>(3 * i);
     mean /= static_cast<double>(count);
-    for (Index i = 0; i < count; ++i) vector.segment<3>(3 * i) -= mean;
+    for (Eigen::Index i = 0; i < count; ++i) vector.segment<3>(3 * i) -= mean;
 }
 
-Eigen::VectorXd random_start(Eigen::Index size, Index count) {
+Eigen::VectorXd random_start(Eigen::Index size, Eigen::Index count) {
     Eigen::VectorXd start(size);
     for (Eigen::Index i = 0; i < size; ++i)
         start[i] =
@@ -44,7 +44,7 @@ void factorize_with_shift(CholeskyFactor& factor, double first) {
 }
 
 /// Eigenvector of the largest eigenvalue of the inverse.
-Eigen::VectorXd lowest_mode(const CholeskyFactor& factor, Eigen::Index size, Index count) {
+Eigen::VectorXd lowest_mode(const CholeskyFactor& factor, Eigen::Index size, Eigen::Index count) {
     const auto steps = static_cast<int>(std::min<Eigen::Index>(most_steps, size));
     Eigen::MatrixXd basis(size, steps);
     Eigen::VectorXd diagonal(steps);
@@ -73,7 +73,7 @@ Eigen::VectorXd lowest_mode(const CholeskyFactor& factor, Eigen::Index size, Ind
 }  // namespace
 
 Stability find_stability(const EnthalpyHessian& hessian, const StabilitySettings& settings) {
-    const Index count = hessian.particle_count();
+    const Eigen::Index count = hessian.particle_count();
     if (count == 0) return {};
     const Eigen::SparseMatrix<double> matrix = bordered_matrix(hessian, settings.free_strains);
     const double floor = settings.tolerance * mean_diagonal(hessian.displacement);
@@ -85,7 +85,7 @@ Stability find_stability(const EnthalpyHessian& hessian, const StabilitySettings
     Stability result;
     result.smallest_eigenvalue = mode.dot(matrix.selfadjointView<Eigen::Lower>() * mode);
     result.stable = result.smallest_eigenvalue > floor;
-    for (Index i = 0; i < count; ++i) result.mode.emplace_back(mode.segment<3>(3 * i));
+    for (Eigen::Index i = 0; i < count; ++i) result.mode.emplace_back(mode.segment<3>(3 * i));
     result.mode_strain = settings.free_strains * mode.tail(settings.free_strains.cols());
     return result;
 }

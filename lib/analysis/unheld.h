@@ -15,7 +15,8 @@ bool within_half_space(std::span<const Vec3> directions);
 
 /// Removes particles whose contacts lie within one half-space, and so takes contacts from their
 /// partners, until every particle left is held from all sides (Donev et al., 2004). The result does
-/// not depend on the order of removal.
+/// not depend on the order of removal. Meant for packings at rest: where forces do not balance, who
+/// leans to one side falls first and an avalanche may take all.
 Rattlers find_unheld(std::span<const Contact> contacts, const ContactRows& rows);
 
 }  // namespace jam

@@ -14,9 +14,9 @@ namespace jam {
 /// Throws InputError (file, line, what was expected, remedy) and FileError.
 Packing read_extended_xyz(const std::filesystem::path& path);
 
-/// Writes one frame with id, species X, pos, radius and, if there, velo; each number with the
-/// digits that give the same number back, whole or not at all. Throws InputError (check_packing)
-/// and FileError.
+/// Writes one frame with the columns species (X), pos, radius, id and, if there, velo, in this
+/// order; each number with the digits that give the same number back, whole or not at all. Throws
+/// InputError (check_packing) and FileError.
 void write_extended_xyz(const Packing& packing, const std::filesystem::path& path);
 
 }  // namespace jam

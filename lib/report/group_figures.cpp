@@ -233,7 +233,7 @@ set logscale x
 eval(round_tics("x"))
 set yrange [0:1.05]
 set ytics 0.2
-set key bottom left
+set key top right
 of(i, a, name) = column("size_ratio") == word(size_ratios, i) + 0 && column("alpha") == word(alphas, a) + 0 ? column(name) : NaN
 do for [format in "svg png"] {
     eval(canvas("backbone_larger_by_size_ratio", format, columns == 1 ? 640 : columns == 2 ? 800 : 960, 60 + 280*rows))

@@ -48,6 +48,10 @@ class CheckDocs(unittest.TestCase):
         self.expect_problem("```sh\njam_app run\n```\n", "is not run")
         self.expect_problem("```\n  analyze_app stats\n```\n", "is not run")
 
+    def test_scene_goes_to_the_program(self):
+        self.expect_problem("```toml scene\n[sizes]\n```\n", "jam_app says: check block.toml")
+        self.assertEqual(check("```toml\n[sizes]\n```\n")[0], 0)
+
     def test_dead_link(self):
         self.expect_problem("see [there](missing.md#part)\n", "link to missing.md")
 

@@ -14,12 +14,19 @@ TEST(ClosestAlpha, IsOneWhereTheTwoFamiliesMeet) {
 }
 
 // Monti et al. compare by eye at lambda 32: eta 0.8 with alpha 0.75, 0.6 with 0.5, and find that
-// 0.4 "bears some resemblance" to 0.2.
-TEST(ClosestAlpha, AgreesWithThePapersComparison) {
+// 0.4 "bears some resemblance" to 0.2, and that the families scale alike at large D.
+TEST(ClosestAlpha, AgreesWithThePapersComparisonAtLargeDiameters) {
+    EXPECT_NEAR(closest_alpha(0.8, 32.0, 0.5), 0.75, 0.02);
+    EXPECT_NEAR(closest_alpha(0.6, 32.0, 0.5), 0.50, 0.02);
+    EXPECT_NEAR(closest_alpha(0.4, 32.0, 0.5), 0.20, 0.02);
+    EXPECT_NEAR(closest_alpha(0.3, 32.0, 0.5), 0.00, 0.02);
+}
+
+TEST(ClosestAlpha, IsLowerOverAllDiameters) {
     EXPECT_NEAR(closest_alpha(0.8, 32.0), 0.75, 0.01);
-    EXPECT_NEAR(closest_alpha(0.6, 32.0), 0.50, 0.05);
-    EXPECT_NEAR(closest_alpha(0.4, 32.0), 0.20, 0.10);
-    EXPECT_LT(closest_alpha(0.3, 32.0), 0.0);
+    EXPECT_NEAR(closest_alpha(0.6, 32.0), 0.47, 0.01);
+    EXPECT_NEAR(closest_alpha(0.4, 32.0), 0.11, 0.01);
+    EXPECT_NEAR(closest_alpha(0.3, 32.0), -0.12, 0.01);
 }
 
 TEST(ClosestAlpha, IsBelowEtaAndRisesWithIt) {
@@ -35,6 +42,7 @@ TEST(ClosestAlpha, IsBelowEtaAndRisesWithIt) {
 TEST(ClosestAlpha, RefusesWhatCannotBeCompared) {
     EXPECT_THROW(closest_alpha(0.0, 10.0), InputError);
     EXPECT_THROW(closest_alpha(0.5, 1.0), InputError);
+    EXPECT_THROW(closest_alpha(0.5, 10.0, 1.0), InputError);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "analysis/cholesky_factor.h"
 
 #include "core/check.h"
+#include "core/without_openmp.h"
 
 #include <Eigen/CholmodSupport>
 
@@ -32,6 +33,7 @@ CholeskyFactor::CholeskyFactor(const Eigen::SparseMatrix<double>& lower_triangle
 CholeskyFactor::~CholeskyFactor() = default;
 
 bool CholeskyFactor::factorize(double shift) {
+    const WithoutOpenMp one_thread;
     cholmod_->solver.setShift(shift);
     cholmod_->solver.factorize(matrix_);
     check_memory(cholmod_->solver.cholmod().status, matrix_.rows());

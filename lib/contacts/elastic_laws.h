@@ -43,6 +43,13 @@ struct Hertz {
     }
 };
 
+/// Overlap at which two spheres of one diameter press with `force`.
+inline double overlap_of_force(const Material& material, double force, double diameter) {
+    if (material.law == ContactLaw::hooke) return force / material.stiffness;
+    const double root = std::sqrt(Hertz::effective_radius(diameter, diameter));
+    return std::pow(force / (material.stiffness * root), 2.0 / 3.0);
+}
+
 /// Calls use(law) with the law that the material names: the choice is made once, outside the loop.
 template <typename Use>
 auto with_elastic_law(const Material& material, Use&& use) {

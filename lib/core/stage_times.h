@@ -11,15 +11,35 @@
 namespace jam {
 
 /// The stages of a run, in the order in which a step meets them.
-enum class Stage : std::uint8_t { place, sort, search, refilter, forces, integrate, measure, save };
-inline constexpr std::size_t stage_count = 8;
+enum class Stage : std::uint8_t {
+    place,
+    sort,
+    search,
+    refilter,
+    forces,
+    integrate,
+    metric,
+    newton,
+    measure,
+    save
+};
+inline constexpr std::size_t stage_count = 10;
 inline constexpr std::array<std::string_view, stage_count> stage_names = {
-    "place", "sort", "search", "refilter", "forces", "integrate", "measure", "save"};
+    "place",     "sort",   "search", "refilter", "forces",
+    "integrate", "metric", "newton", "measure",  "save"};
 
 /// Seconds spent and times entered, by stage.
 struct StageTimes {
     std::array<double, stage_count> seconds{};
     std::array<std::int64_t, stage_count> entered{};
+
+    StageTimes& operator+=(const StageTimes& other) {
+        for (std::size_t stage = 0; stage < stage_count; ++stage) {
+            seconds[stage] += other.seconds[stage];
+            entered[stage] += other.entered[stage];
+        }
+        return *this;
+    }
 };
 
 /// Adds the life of this object to one stage.

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 fs::path previous(const fs::path& path) {
     fs::path kept = path;
@@ -88,6 +88,62 @@ std::deque<Sample> read_samples(const hdf5::Group& group) {
     return samples;
 }
 
+void write_relaxation(const hdf5::Group& group, const RelaxState& relax) {
+    const hdf5::Group to = group.create("relaxation");
+    to.write("time_step", relax.time_step);
+    to.write("mixing", relax.mixing);
+    to.write("steps_downhill", std::int64_t{relax.steps_downhill});
+    to.write("renewal_age", std::int64_t{relax.renewal_age});
+    to.write("speed_squared", relax.speed_squared);
+    const ContactStiffness& stiffness = relax.stiffness;
+    to.write("stiffness_typical", stiffness.typical);
+    write_matrix(to, "stiffness_cell", stiffness.cell);
+    to.write("stiffness_contacts", stiffness.contacts);
+    if (stiffness.empty()) return;
+    to.write("stiffness_blocks",
+             std::span(&stiffness.blocks.front().xx, 6 * stiffness.blocks.size()),
+             {stiffness.blocks.size(), 6});
+}
+
+RelaxState read_relaxation(const hdf5::Group& group) {
+    const hdf5::Group from = group.open("relaxation");
+    RelaxState relax;
+    relax.time_step = from.read<double>("time_step");
+    relax.mixing = from.read<double>("mixing");
+    relax.steps_downhill = static_cast<int>(from.read<std::int64_t>("steps_downhill"));
+    relax.renewal_age = static_cast<int>(from.read<std::int64_t>("renewal_age"));
+    relax.speed_squared = from.read<double>("speed_squared");
+    ContactStiffness& stiffness = relax.stiffness;
+    stiffness.typical = from.read<double>("stiffness_typical");
+    stiffness.cell = read_matrix(from, "stiffness_cell");
+    stiffness.contacts = from.read_array<double>("stiffness_contacts");
+    if (!from.has("stiffness_blocks")) return relax;
+    const std::size_t count = stiffness.contacts.size();
+    stiffness.blocks.resize(count);
+    from.read("stiffness_blocks", std::span(&stiffness.blocks.front().xx, 6 * count), {count, 6});
+    return relax;
+}
+
+void write_quasistatic(const hdf5::Group& group, const QuasistaticState& quasistatic) {
+    const hdf5::Group to = group.create("quasistatic");
+    to.write("stage", static_cast<std::int64_t>(quasistatic.stage));
+    to.write("pressure", quasistatic.pressure);
+    to.write("rung_begin", std::int64_t{quasistatic.rung_begin});
+    to.write("next_trial", std::int64_t{quasistatic.next_trial});
+    to.write("retreats", std::int64_t{quasistatic.retreats});
+}
+
+QuasistaticState read_quasistatic(const hdf5::Group& group) {
+    const hdf5::Group from = group.open("quasistatic");
+    QuasistaticState quasistatic;
+    quasistatic.stage = static_cast<QuasistaticState::Stage>(from.read<std::int64_t>("stage"));
+    quasistatic.pressure = from.read<double>("pressure");
+    quasistatic.rung_begin = from.read<std::int64_t>("rung_begin");
+    quasistatic.next_trial = from.read<std::int64_t>("next_trial");
+    quasistatic.retreats = static_cast<int>(from.read<std::int64_t>("retreats"));
+    return quasistatic;
+}
+
 void write_state(const hdf5::Group& group, const JamState& state) {
     write_matrix(group, "cell", state.cell.matrix());
     write_matrix(group, "velocity_gradient", state.velocity_gradient);
@@ -102,6 +158,8 @@ void write_state(const hdf5::Group& group, const JamState& state) {
     group.write("original_ids", state.original_ids);
     write_samples(group, state.samples);
     write_reference(group, state.list_reference);
+    write_relaxation(group, state.relax);
+    write_quasistatic(group, state.quasistatic);
 }
 
 JamState read_state(const hdf5::Group& group) {
@@ -120,6 +178,8 @@ JamState read_state(const hdf5::Group& group) {
     state.original_ids = group.read_array<std::int64_t>("original_ids");
     state.samples = read_samples(group);
     state.list_reference = read_reference(group, count);
+    state.relax = read_relaxation(group);
+    state.quasistatic = read_quasistatic(group);
     return state;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/convergence.h"
 
+#include "analysis/stability.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,8 +23,48 @@ double change_within_window(const JamState& state, const StopSettings& stop, Qua
     return quantity(*high) - quantity(*low);
 }
 
+/// Negative curvature that counts as none, in applied pressures times the smallest diameter.
+constexpr double tolerated_instability = 1e-3;
+
+constexpr int contacts_that_hold = 4;
+
+/// Particles of a backbone beyond which a factorization takes minutes and gigabytes.
+constexpr Count largest_tested_backbone = 60'000;
+
 Criterion criterion(const char* name, double value, double tolerance) {
     return {name, value, tolerance, value <= tolerance};
+}
+
+/// -lambda, lambda the smallest eigenvalue of the Hessian of all particles with at least four
+/// contacts among themselves, over the mean pressure and the smallest diameter. Three contacts hold
+/// a particle only in their own plane: at rest it carries nothing, and its curvature is round-off.
+double instability(const Packing& packing, const ProtocolSettings& protocol) {
+    const double pressure = protocol.pressure.trace() / 3.0;
+    const ForceNetwork network = find_force_network(packing, contacts_that_hold);
+    const EnthalpyHessian hessian =
+        enthalpy_hessian(packing, network, network.rattlers.is_rattler, pressure);
+    const double smallest = *std::ranges::min_element(packing.diameters);
+    return -find_stability(hessian).smallest_eigenvalue / (pressure * smallest);
+}
+
+/// A relaxation has no motion in time: it has arrived where forces and stress balance, and what it
+/// has come to must be able to stand. Stability is asked for last, since it costs most.
+Verdict judge_at_rest(const Measurement& measurement, const Scene& scene) {
+    const PackingStatistics& now = measurement.statistics;
+    Verdict verdict;
+    verdict.criteria = {
+        criterion("pressure", pressure_error(now.pressure, scene.protocol), scene.stop.pressure),
+        criterion("cundall", now.cundall, scene.stop.cundall),
+        criterion("missing_contacts", -static_cast<double>(now.excess_contact_count()), 0.0)};
+    const bool testable = scene.protocol.free_cell == FreeCell::all &&
+                          measurement.network.rattlers.backbone_count() <= largest_tested_backbone;
+    if (!testable) return verdict;
+    const bool at_rest = verdict.converged();
+    verdict.criteria.push_back(criterion("instability",
+                                         at_rest ? instability(measurement.packing, scene.protocol)
+                                                 : std::numeric_limits<double>::quiet_NaN(),
+                                         tolerated_instability));
+    return verdict;
 }
 
 }  // namespace
@@ -55,6 +97,7 @@ double pressure_error(const Mat3& internal, const ProtocolSettings& protocol) {
 Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene) {
     const PackingStatistics& now = measurement.statistics;
     const StopSettings& stop = scene.stop;
+    if (scene.protocol.kind == ProtocolKind::quasistatic) return judge_at_rest(measurement, scene);
     Verdict verdict;
     verdict.criteria = {
         criterion("pressure", pressure_error(now.pressure, scene.protocol), stop.pressure),

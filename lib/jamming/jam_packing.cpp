@@ -3,7 +3,9 @@
 
 #include "core/check.h"
 #include "jamming/nph_step.h"
+#include "jamming/quasistatic.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -45,6 +47,10 @@ class Speedometer {
     std::optional<Mark> last_;
 };
 
+double smallest_diameter(const Particles& particles) {
+    return std::ranges::min_element(particles.spheres, {}, &Sphere::diameter)->diameter;
+}
+
 double dynamic_cundall(const JamState& state, const ContactSums& sums) {
     double net = 0.0;
     for (const Load& load : state.particles.loads) net += load.force.norm();
@@ -70,24 +76,48 @@ Record record_of(const JamState& state, const Measurement& measurement, const Co
     return record;
 }
 
-/// One run by the nph protocol.
+/// A run by the nph protocol, one step at a time.
 class NphRun {
   public:
-    NphRun(const Scene& scene, JamState& state, const JamHooks& hooks)
+    NphRun(const Scene& scene, JamState& state)
+        : state_(state),
+          settings_(nph_settings(scene, state)),
+          scratch_(diameters_by_id(state.particles), scene.run.lists) {}
+
+    void begin() { begin_nph(state_, settings_, scratch_); }
+    void advance() { nph_step(state_, settings_, scratch_); }
+    bool at_rest() const { return false; }
+    const ContactSums& sums() const { return scratch_.sums; }
+    const ExpectedMotion& motion() const { return scratch_.motion; }
+    double time_step() const { return settings_.time_step; }
+    StageTimes times() const { return scratch_.times; }
+
+  private:
+    JamState& state_;
+    NphSettings settings_;
+    NphScratch scratch_;
+};
+
+/// Takes a method from step to step: limits, records, verdict, checkpoints.
+template <typename Method>
+class JamRun {
+  public:
+    JamRun(const Scene& scene, JamState& state, const JamHooks& hooks)
         : scene_(scene),
           state_(state),
           hooks_(hooks),
-          settings_(nph_settings(scene, state)),
-          scratch_(diameters_by_id(state.particles), scene.run.lists),
+          method_(scene, state),
+          smallest_diameter_(smallest_diameter(state.particles)),
           watch_(state.wall_seconds) {}
 
     JamResult run() {
-        begin_nph(state_, settings_, scratch_);
+        method_.begin();
         for (;;) {
-            nph_step(state_, settings_, scratch_);
+            const Count before = state_.step;
+            method_.advance();
             require_bounded_motion();
             const std::optional<JamOutcome> limit = reached_limit();
-            if (state_.step % scene_.run.record_interval == 0 || limit) {
+            if (passed(before, scene_.run.record_interval) || limit || method_.at_rest()) {
                 JamResult result = measure_and_record();
                 if (limit) result.outcome = *limit;
                 if (result.verdict.converged()) result.outcome = JamOutcome::converged;
@@ -96,11 +126,17 @@ class NphRun {
                     return result;
                 }
             }
-            if (state_.step % scene_.run.checkpoint_interval == 0) checkpoint();
+            if (passed(before, scene_.run.checkpoint_interval)) checkpoint();
         }
     }
 
   private:
+    /// Whether a multiple of `interval` has been reached since step `before`: an advance may be
+    /// more than one step.
+    bool passed(Count before, Count interval) const {
+        return state_.step / interval != before / interval;
+    }
+
     std::optional<JamOutcome> reached_limit() const {
         if (hooks_.stop_requested && hooks_.stop_requested()) return JamOutcome::interrupted;
         if (state_.step >= scene_.stop.max_steps) return JamOutcome::step_limit;
@@ -113,7 +149,7 @@ class NphRun {
         state_.wall_seconds = watch_.total();
         JamResult result;
         {
-            const StageTimer timer(scratch_.times, Stage::measure);
+            const StageTimer timer(times_, Stage::measure);
             result.measurement = measure(state_, scene_);
         }
         // A stop between two records must leave no trace in the samples of the run that goes on.
@@ -121,8 +157,9 @@ class NphRun {
             take_sample(result.measurement, scene_.stop, state_);
         result.verdict = judge(result.measurement, state_, scene_);
         result.measurement.packing.provenance.verdict = to_json(result.verdict);
-        result.times = scratch_.times;
-        Record record = record_of(state_, result.measurement, scratch_.sums);
+        result.times = method_.times();
+        result.times += times_;
+        Record record = record_of(state_, result.measurement, method_.sums());
         record.steps_per_second = speedometer_.since_last(state_.step, state_.wall_seconds);
         if (hooks_.on_record) hooks_.on_record(record, result.verdict);
         return result;
@@ -130,27 +167,28 @@ class NphRun {
 
     void checkpoint() {
         state_.wall_seconds = watch_.total();
-        const StageTimer timer(scratch_.times, Stage::save);
+        const StageTimer timer(times_, Stage::save);
         if (hooks_.on_checkpoint) hooks_.on_checkpoint(state_);
     }
 
     /// A step that carries a particle across another, or strains the cell by a tenth, has nothing
     /// to do with the motion any more.
     void require_bounded_motion() const {
-        const bool bounded =
-            scratch_.motion.displacement_a_step < 0.5 * scratch_.lists.smallest_diameter &&
-            scratch_.motion.strain_a_step < 0.1 && std::isfinite(state_.pressure.sum());
+        const ExpectedMotion& motion = method_.motion();
+        const bool bounded = motion.displacement_a_step < 0.5 * smallest_diameter_ &&
+                             motion.strain_a_step < 0.1 && std::isfinite(state_.pressure.sum());
         require(bounded,
                 "protocol.time_step = {:.6g}: the motion has become unbounded at step {}; the time "
                 "step must stay below the stability limit: use protocol.time_step = \"automatic\"",
-                settings_.time_step, state_.step);
+                method_.time_step(), state_.step);
     }
 
     const Scene& scene_;
     JamState& state_;
     const JamHooks& hooks_;
-    NphSettings settings_;
-    NphScratch scratch_;
+    Method method_;
+    double smallest_diameter_;
+    StageTimes times_;  ///< of measuring and saving
     Stopwatch watch_;
     Speedometer speedometer_;
 };
@@ -158,7 +196,11 @@ class NphRun {
 }  // namespace
 
 JamResult jam_packing(const Scene& scene, JamState& state, const JamHooks& hooks) {
-    return run_with_threads(scene.run.threads, [&] { return NphRun(scene, state, hooks).run(); });
+    return run_with_threads(scene.run.threads, [&] {
+        if (scene.protocol.kind == ProtocolKind::nph)
+            return JamRun<NphRun>(scene, state, hooks).run();
+        return JamRun<QuasistaticRun>(scene, state, hooks).run();
+    });
 }
 
 }  // namespace jam

@@ -80,6 +80,7 @@ std::vector<double> diameters_by_id(const Particles& particles) {
 Packing to_packing(const JamState& state, const Scene& scene) {
     const Particles& particles = state.particles;
     const auto count = static_cast<std::size_t>(particles.size());
+    const bool relaxing = state.quasistatic.stage == QuasistaticState::Stage::ladder;
     Packing packing;
     packing.cell = state.cell;
     packing.positions.resize(count);
@@ -94,7 +95,8 @@ Packing to_packing(const JamState& state, const Scene& scene) {
         const auto to = static_cast<std::size_t>(particles.ids[i]);
         packing.positions[to] = state.cell.cartesian(wrapped(particles.spheres[i].center));
         packing.diameters[to] = particles.spheres[i].diameter;
-        packing.velocities[to] = particles.motions[i].velocity;
+        // The velocities of a relaxation are no motion in time.
+        packing.velocities[to] = relaxing ? Vec3(Vec3::Zero()) : particles.motions[i].velocity;
     }
     packing.material = scene.contact;
     packing.step = state.step;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cell/periodic_cell.h"
+#include "jamming/relaxation_metric.h"
 #include "jamming/scene.h"
 #include "neighbors/list_validity.h"
 #include "packing/packing.h"
@@ -19,11 +20,34 @@ struct Sample {
     double coordination;
 };
 
+/// What a relaxation (relax_step.h) remembers from step to step; its velocities stand with the
+/// particles and the cell.
+struct RelaxState {
+    double time_step = 0.3;      ///< in the metric's units
+    double mixing = 0.1;         ///< FIRE's alpha
+    int steps_downhill = 0;      ///< since the power was last negative
+    int renewal_age = 0;         ///< steps since the stiffness was renewed
+    double speed_squared = 0.0;  ///< v . M v of the last move, particles and cell
+    ContactStiffness stiffness;
+};
+
+/// Where a quasi-static run stands (quasistatic.h).
+struct QuasistaticState {
+    enum class Stage : std::uint8_t { compaction, ladder };
+    Stage stage = Stage::compaction;
+    double pressure = 0.0;  ///< mean applied pressure of the rung; 0: the run has not begun
+    Count rung_begin = 0;   ///< step at which the rung began
+    Count next_trial = 0;   ///< step from which the end of the last rung is tried again
+    int retreats = 0;       ///< times that the ladder was climbed again, in smaller steps
+};
+
 struct JamState {
     PeriodicCell cell;
     Mat3 velocity_gradient = Mat3::Zero();  ///< L of the cell's flow, upper triangular, 1/time
     Particles particles;
     Mat3 pressure = Mat3::Zero();  ///< internal, dynamic, of the last step
+    RelaxState relax;
+    QuasistaticState quasistatic;
     Count step = 0;
     double time = 0.0;
     double wall_seconds = 0.0;   ///< of all sittings

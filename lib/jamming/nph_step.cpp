@@ -3,6 +3,7 @@
 
 #include "contacts/elastic_laws.h"
 #include "core/lanes.h"
+#include "jamming/cell_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,20 +14,13 @@ namespace {
 
 constexpr Count block_size = ContactTiles::particles_per_block;
 
-/// Keeps what the cell may do: nothing below the diagonal, no tilt, or the trace alone.
-Mat3 allowed(const Mat3& gradient, FreeCell free_cell) {
-    if (free_cell == FreeCell::isotropic) return Mat3::Identity() * (gradient.trace() / 3.0);
-    if (free_cell == FreeCell::orthogonal) return Mat3(gradient.diagonal().asDiagonal());
-    return gradient.triangularView<Eigen::Upper>();
-}
-
 void kick_cell(JamState& state, const NphSettings& settings) {
     const double half = 0.5 * settings.time_step;
     const Mat3 push =
         state.cell.volume() / settings.cell_inertia * (state.pressure - settings.applied_pressure);
     const double kept = std::exp(-settings.cell_damping * half);
     state.velocity_gradient =
-        allowed(state.velocity_gradient * kept + half * push, settings.free_cell);
+        allowed_strain(state.velocity_gradient * kept + half * push, settings.free_cell);
 }
 
 /// One half-kick of a particle: v' = v + half (F/m - L^T v). Four numbers at a time, the mass last
@@ -68,22 +62,13 @@ double squared_length(const Double4& v) {
     return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-/// The cell as it will be after `time`, to second order in L.
-PeriodicCell moved_cell(const JamState& state, double time) {
-    const Mat3 strain = state.velocity_gradient * time;
-    return PeriodicCell(
-        Mat3((Mat3::Identity() + strain + 0.5 * strain * strain) * state.cell.matrix())
-            .triangularView<Eigen::Upper>()
-            .toDenseMatrix());
-}
-
 /// Half-kicks the particles, drifts them and the cell. Returns the largest displacement since the
 /// tiles were made.
 double kick_and_drift(JamState& state, const NphSettings& settings, const VerletLists& lists) {
     const HalfKick kick(state.velocity_gradient, 0.5 * settings.time_step);
-    const UpperMap drift(moved_cell(state, 0.5 * settings.time_step).inverse() *
-                         settings.time_step);
-    state.cell = moved_cell(state, settings.time_step);
+    const Mat3 strain = state.velocity_gradient * settings.time_step;
+    const UpperMap drift(strained_cell(state.cell, 0.5 * strain).inverse() * settings.time_step);
+    state.cell = strained_cell(state.cell, strain);
     const UpperMap to_cartesian(state.cell.matrix());
     Particles& particles = state.particles;
     const double squared = max_blocks(particles.size(), block_size, [&](Count begin, Count end) {
@@ -151,15 +136,6 @@ void evaluate_forces(const JamState& state, const NphSettings& settings, NphScra
                            .velocity_gradient = state.velocity_gradient};
     scratch.sums = contact_forces(state.cell, settings.material, flow, scratch.lists.tiles,
                                   state.particles, loads, scratch.forces);
-}
-
-/// The same lattice in edges that are tilted less; done with a search only, because it renumbers
-/// images.
-void reduce_tilt(JamState& state) {
-    if (state.cell.is_reduced()) return;
-    const PeriodicCell::Reduction reduction = state.cell.reduced();
-    state.cell = reduction.cell;
-    for (Sphere& sphere : state.particles.spheres) sphere.center = reduction.change * sphere.center;
 }
 
 void search(JamState& state, NphScratch& scratch) {

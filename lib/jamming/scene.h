@@ -34,7 +34,8 @@ struct StartSettings {
 
 /// The way from the start to the jammed state.
 enum class ProtocolKind : std::uint8_t {
-    nph,  ///< constant pressure and enthalpy, inertial (Monti et al., Methods)
+    quasistatic,  ///< compaction, then relaxation at pressures that fall to the applied one
+    nph,          ///< constant pressure and enthalpy, inertial (Monti et al., Methods)
 };
 
 /// Which edges and tilts of the cell may change.
@@ -51,8 +52,18 @@ enum class Masses : std::uint8_t {
     equal,      ///< all the same
 };
 
+/// Of the quasi-static protocol: what may be traded against accuracy.
+struct LadderSettings {
+    /// Where the ladder begins; nothing: chosen from law and sizes (quasistatic.h).
+    std::optional<double> compaction_pressure;
+    Count compaction_steps = 6'000;
+    double pressure_ratio = 1.6;  ///< of one rung's pressure to the next
+    double cundall = 1e-5;        ///< to which a rung is relaxed
+    Count most_steps = 40'000;    ///< of a rung
+};
+
 struct ProtocolSettings {
-    ProtocolKind kind = ProtocolKind::nph;
+    ProtocolKind kind = ProtocolKind::quasistatic;
     Mat3 pressure = Mat3::Identity() * 1e-6;  ///< applied; symmetric; stiffness/length (hooke)
     FreeCell free_cell = FreeCell::all;
     /// In tau = sqrt(M_min / k), M_min the true mass of the smallest particle; nothing: chosen from
@@ -61,6 +72,7 @@ struct ProtocolSettings {
     Masses masses = Masses::true_mass;
     double cell_inertia = 1.0;  ///< factor on the inertia chosen from N, k and D
     double cell_damping = 1.0;  ///< factor on the damping chosen with it
+    LadderSettings ladder;
 };
 
 /// When a run is converged (all of the tolerances hold at once), and when it stops without being

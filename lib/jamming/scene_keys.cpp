@@ -120,7 +120,8 @@ static std::vector<SceneKey> protocol_keys() {
         return bound(rule, &SceneDraft::scene, &Scene::protocol, member);
     };
     using Protocol = ProtocolSettings;
-    const Choice<ProtocolKind> kinds{{{"nph", ProtocolKind::nph}}};
+    const Choice<ProtocolKind> kinds{
+        {{"quasistatic", ProtocolKind::quasistatic}, {"nph", ProtocolKind::nph}}};
     const Choice<FreeCell> cells{{{"all", FreeCell::all},
                                   {"orthogonal", FreeCell::orthogonal},
                                   {"isotropic", FreeCell::isotropic}}};
@@ -133,12 +134,32 @@ static std::vector<SceneKey> protocol_keys() {
         {"protocol.free_cell", "", "what of the cell may change", in(cells, &Protocol::free_cell)},
         {"protocol.time_step", "tau = sqrt(M_min/k)", "\"automatic\": from the stiffest particle",
          in(RealOrAutomatic{above(0, 10)}, &Protocol::time_step)},
-        {"protocol.masses", "", "inertia of the particles; the equilibria do not depend on it",
+        {"protocol.masses", "", "nph: inertia of the particles; the equilibria do not depend on it",
          in(masses, &Protocol::masses)},
         {"protocol.cell_inertia", "", "factor on the inertia of the cell that N, k and D give",
          in(above(0, 1e6), &Protocol::cell_inertia)},
         {"protocol.cell_damping", "", "factor on the damping of the cell that goes with it",
          in(from(0, 1e6), &Protocol::cell_damping)},
+    };
+}
+
+static std::vector<SceneKey> ladder_keys() {
+    const auto in = [](const auto& rule, auto member) {
+        return bound(rule, &SceneDraft::scene, &Scene::protocol, &ProtocolSettings::ladder, member);
+    };
+    using Ladder = LadderSettings;
+    return {
+        {"protocol.compaction_pressure", "k/D_min; hertz: k",
+         "quasistatic: where the ladder of pressures begins",
+         in(RealOrAutomatic{above(0)}, &Ladder::compaction_pressure)},
+        {"protocol.compaction_steps", "steps", "quasistatic: of compaction, by inertia",
+         in(Whole{0}, &Ladder::compaction_steps)},
+        {"protocol.pressure_ratio", "", "quasistatic: from one rung of the ladder to the next",
+         in(above(1, 1e3), &Ladder::pressure_ratio)},
+        {"protocol.rung_cundall", "", "quasistatic: Cundall parameter to which a rung is relaxed",
+         in(above(0, 1), &Ladder::cundall)},
+        {"protocol.rung_steps", "steps", "quasistatic: limit of a rung above the applied pressure",
+         in(Whole{1}, &Ladder::most_steps)},
     };
 }
 
@@ -151,13 +172,13 @@ static std::vector<SceneKey> stop_keys() {
         {"stop.pressure", "", "largest error of the six pressures over the mean applied one",
          in(above(0, 1), &Stop::pressure)},
         {"stop.cundall", "", "Cundall parameter C", in(above(0, 1), &Stop::cundall)},
-        {"stop.kinetic_energy", "energy", "kinetic energy a particle",
+        {"stop.kinetic_energy", "energy", "nph: kinetic energy a particle",
          in(above(0), &Stop::kinetic_energy)},
-        {"stop.volume_fraction_change", "", "change of the volume fraction over the window",
+        {"stop.volume_fraction_change", "", "nph: change of the volume fraction over the window",
          in(above(0, 1), &Stop::volume_fraction_change)},
-        {"stop.coordination_change", "", "change of the contacts a particle over the window",
+        {"stop.coordination_change", "", "nph: change of the contacts a particle over the window",
          in(above(0, 100), &Stop::coordination_change)},
-        {"stop.window", "steps", "over which these changes are taken", in(Whole{1}, &Stop::window)},
+        {"stop.window", "steps", "nph: over which these changes are taken", in(Whole{1}, &Stop::window)},
         {"stop.max_steps", "steps", "limit; the state is saved there",
          in(Whole{0}, &Stop::max_steps)},
         {"stop.max_time", "s", "limit on the wall time of one sitting; 0: none",
@@ -197,7 +218,8 @@ static std::vector<SceneKey> run_keys() {
 
 static std::vector<SceneKey> all_keys() {
     std::vector<SceneKey> keys;
-    for (auto table : {sizes_keys, contact_keys, start_keys, protocol_keys, stop_keys, run_keys})
+    for (auto table :
+         {sizes_keys, contact_keys, start_keys, protocol_keys, ladder_keys, stop_keys, run_keys})
         std::ranges::move(table(), std::back_inserter(keys));
     for (SceneKey& one : keys)
         if (one.example.index() == 0) one.example = *one.field.get(SceneDraft{});

@@ -23,7 +23,7 @@ class JamAppRun : public testing::Test {
     void SetUp() override {
         std::ofstream(scene())
             << "[sizes]\nkind = \"power-law\"\nsize_ratio = 2\nalpha = 0.5\ncount = 250\n"
-               "[protocol]\npressure = 1e-2\nmasses = \"diameter\"\n"
+               "[protocol]\nkind = \"nph\"\npressure = 1e-2\nmasses = \"diameter\"\n"
                "[stop]\ncundall = 1e-4\nkinetic_energy = 1e-8\nvolume_fraction_change = 1e-5\n"
                "coordination_change = 0.02\nwindow = 2000\nmax_steps = 200000\n"
                "[run]\nrecord_interval = 500\n";

@@ -24,7 +24,7 @@ class JamAppSweep : public testing::Test {
         std::ofstream(sweep()) << "[grid]\n"
                                << grid << "\n[sweep]\noutput = \"" << out().string()
                                << "\"\n[sizes]\nkind = \"monodisperse\"\ncount = 60\n"
-                                  "[protocol]\npressure = 1e-2\n"
+                                  "[protocol]\nkind = \"nph\"\npressure = 1e-2\n"
                                   "[stop]\ncundall = 1e-2\nkinetic_energy = 1e-3\nwindow = 100\n"
                                   "pressure = 0.5\nvolume_fraction_change = 0.1\n"
                                   "coordination_change = 10\n"

@@ -18,6 +18,7 @@ size_ratio = 5
 alpha = 0.5
 count = 400
 [protocol]
+kind = "nph"
 pressure = 1e-2
 masses = "diameter"
 [stop]

@@ -21,6 +21,7 @@ Scene quick_scene() {
     law.alpha = 0.5;
     scene.sizes.distribution = law;
     scene.sizes.count = 250;
+    scene.protocol.kind = ProtocolKind::nph;
     scene.protocol.pressure = Mat3::Identity() * 1e-2;
     scene.protocol.masses = Masses::diameter;
     scene.stop.cundall = 1e-4;

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jamming/quasistatic.h"
+
+#include "contacts/elastic_laws.h"
+#include "jamming/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jam {
+
+namespace {
+
+/// The automatic step is cautious enough for masses that a scene may choose; compaction chooses
+/// its own.
+constexpr double compaction_step_in_automatic_ones = 4.0;
+constexpr double reference_overlap = 1e-3;  // in smallest diameters
+constexpr double reference_width = 5.0;     // mean diameter by volume, in smallest ones
+constexpr Count steps_between_looks = 10;
+constexpr Count fewest_steps_of_a_rung = 20;
+constexpr double pressure_error_of_a_rung = 1e-3;
+
+// When Newton's method is worth a trial, and how long to relax before the next.
+constexpr double cundall_for_newton = 1e-4;
+constexpr double cundall_for_a_late_trial = 1e-3;
+constexpr Count steps_to_a_late_trial = 10'000;
+constexpr Count steps_between_trials = 5'000;
+
+/// The last rung is given this many times a rung's steps before the ladder is climbed again.
+constexpr Count patience = 3;
+constexpr double climb = 4.0;  // in pressure
+
+double first_pressure(const Scene& scene, const std::vector<double>& diameters) {
+    const double smallest = *std::ranges::min_element(diameters);
+    double cubes = 0.0;
+    double fourths = 0.0;
+    for (const double diameter : diameters) {
+        cubes += std::pow(diameter, 3);
+        fourths += std::pow(diameter, 4);
+    }
+    const double width = fourths / cubes / smallest;
+    const double force = with_elastic_law(scene.contact, [&](const auto& law) {
+        return law.force(reference_overlap * smallest, smallest, smallest);
+    });
+    return force / (smallest * smallest) * std::min(1.0, reference_width / width);
+}
+
+bool is_isotropic(const Mat3& pressure) {
+    return pressure == Mat3(Mat3::Identity() * pressure(0, 0));
+}
+
+}  // namespace
+
+QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& state) {
+    const ProtocolSettings& protocol = scene.protocol;
+    QuasistaticSettings settings;
+    settings.ladder = protocol.ladder;
+    settings.stop = scene.stop;
+    settings.applied_pressure = protocol.pressure.trace() / 3.0;
+    const double chosen = protocol.ladder.compaction_pressure.value_or(
+        first_pressure(scene, diameters_by_id(state.particles)));
+    settings.first_pressure = std::max(chosen, settings.applied_pressure);
+
+    Scene compaction = scene;
+    compaction.protocol.masses = Masses::diameter;
+    compaction.protocol.pressure *= settings.first_pressure / settings.applied_pressure;
+    settings.compaction = nph_settings(compaction, state);
+    if (!protocol.time_step) settings.compaction.time_step *= compaction_step_in_automatic_ones;
+
+    settings.relax = {
+        .material = scene.contact, .pressure = protocol.pressure, .free_cell = protocol.free_cell};
+    settings.newton = {.material = scene.contact,
+                       .pressure = settings.applied_pressure,
+                       .cundall = 0.1 * scene.stop.cundall};
+    settings.newton_serves = protocol.free_cell == FreeCell::all && is_isotropic(protocol.pressure);
+    return settings;
+}
+
+QuasistaticRun::QuasistaticRun(const Scene& scene, JamState& state)
+    : state_(state),
+      protocol_(scene.protocol),
+      lists_(scene.run.lists),
+      diameters_(diameters_by_id(state.particles)) {
+    if (state.quasistatic.pressure == 0.0 && !state.particles.motions.empty()) {
+        const double smallest = *std::ranges::min_element(diameters_);
+        for (std::size_t i = 0; i < state.particles.motions.size(); ++i)
+            state.particles.motions[i].mass =
+                inertial_mass(state.particles.spheres[i].diameter, smallest, Masses::diameter,
+                              scene.contact.density);
+    }
+    settings_ = quasistatic_settings(scene, state);
+}
+
+bool QuasistaticRun::compacting() const {
+    return state_.quasistatic.stage == QuasistaticState::Stage::compaction;
+}
+
+bool QuasistaticRun::on_last_rung() const {
+    return state_.quasistatic.pressure <= settings_.applied_pressure;
+}
+
+Mat3 QuasistaticRun::rung_pressure() const {
+    return protocol_.pressure * (state_.quasistatic.pressure / settings_.applied_pressure);
+}
+
+const ContactSums& QuasistaticRun::sums() const {
+    return compacting() ? compaction_->sums : relaxation_->sums;
+}
+
+const ExpectedMotion& QuasistaticRun::motion() const {
+    return compacting() ? compaction_->motion : relaxation_->motion;
+}
+
+StageTimes QuasistaticRun::times() const {
+    StageTimes sum;
+    if (compaction_) sum += compaction_->times;
+    if (relaxation_) sum += relaxation_->times;
+    return sum;
+}
+
+void QuasistaticRun::begin() {
+    if (state_.quasistatic.pressure == 0.0) state_.quasistatic.pressure = settings_.first_pressure;
+    if (compacting()) {
+        compaction_.emplace(diameters_, lists_);
+        begin_nph(state_, settings_.compaction, *compaction_);
+    } else {
+        relaxation_.emplace(diameters_, lists_);
+        settings_.relax.pressure = rung_pressure();
+        begin_relaxation(state_, settings_.relax, *relaxation_);
+    }
+}
+
+void QuasistaticRun::advance() {
+    at_rest_ = false;
+    if (!compacting()) {
+        relax();
+        return;
+    }
+    if (state_.step < settings_.ladder.compaction_steps)
+        nph_step(state_, settings_.compaction, *compaction_);
+    if (state_.step >= settings_.ladder.compaction_steps) begin_ladder();
+}
+
+void QuasistaticRun::begin_ladder() {
+    for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
+    state_.velocity_gradient.setZero();
+    state_.list_reference = {};
+    state_.quasistatic.stage = QuasistaticState::Stage::ladder;
+    relaxation_.emplace(diameters_, lists_);
+    begin_rung(state_.quasistatic.pressure);
+    begin_relaxation(state_, settings_.relax, *relaxation_);
+}
+
+void QuasistaticRun::begin_rung(double pressure) {
+    state_.quasistatic.pressure = pressure;
+    state_.quasistatic.rung_begin = state_.step;
+    state_.quasistatic.next_trial = state_.step;
+    const RelaxState fresh;
+    state_.relax.time_step = fresh.time_step;
+    state_.relax.mixing = fresh.mixing;
+    state_.relax.steps_downhill = 0;
+    settings_.relax.pressure = rung_pressure();
+}
+
+void QuasistaticRun::relax() {
+    relax_step(state_, settings_.relax, *relaxation_);
+    const Count steps = state_.step - state_.quasistatic.rung_begin;
+    if (steps < fewest_steps_of_a_rung || steps % steps_between_looks != 0) return;
+    if (on_last_rung()) {
+        finish();
+        return;
+    }
+    const bool relaxed = relaxation_->cundall() <= settings_.ladder.cundall &&
+                         error_of_pressure() <= pressure_error_of_a_rung;
+    if (relaxed || steps >= settings_.ladder.most_steps) end_rung();
+}
+
+/// Each time the ladder is climbed again its rungs are half as far apart.
+void QuasistaticRun::end_rung() {
+    const double ratio =
+        std::pow(settings_.ladder.pressure_ratio, std::pow(0.5, state_.quasistatic.retreats));
+    begin_rung(std::max(settings_.applied_pressure, state_.quasistatic.pressure / ratio));
+}
+
+double QuasistaticRun::error_of_pressure() const {
+    ProtocolSettings rung = protocol_;
+    rung.pressure = settings_.relax.pressure;
+    return pressure_error(state_.pressure, rung);
+}
+
+void QuasistaticRun::finish() {
+    const Count steps = state_.step - state_.quasistatic.rung_begin;
+    if (state_.step < state_.quasistatic.next_trial) return;
+    const double cundall = relaxation_->cundall();
+    const bool near = cundall <= cundall_for_newton ||
+                      (steps >= steps_to_a_late_trial && cundall <= cundall_for_a_late_trial);
+    if (near && settings_.newton_serves) try_newton();
+    at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
+               error_of_pressure() <= settings_.stop.pressure;
+    if (near) state_.quasistatic.next_trial = state_.step + steps_between_trials;
+    if (at_rest_ || steps < patience * settings_.ladder.most_steps) return;
+    if (settings_.first_pressure <= settings_.applied_pressure) return;
+    ++state_.quasistatic.retreats;
+    begin_rung(std::min(settings_.first_pressure, climb * settings_.applied_pressure));
+}
+
+void QuasistaticRun::try_newton() {
+    RelaxScratch& scratch = *relaxation_;
+    NewtonResult result;
+    {
+        const StageTimer timer(scratch.times, Stage::newton);
+        result = newton_relax(settings_.newton, scratch.lists.candidates,
+                              scratch.lists.smallest_diameter, state_.cell, state_.particles);
+    }
+    if (!result.tried) {
+        settings_.newton_serves = false;
+        return;
+    }
+    for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
+    state_.velocity_gradient.setZero();
+    state_.relax.speed_squared = 0.0;
+    state_.list_reference = {};
+    state_.step += result.factorizations;
+    begin_relaxation(state_, settings_.relax, scratch);
+}
+
+}  // namespace jam

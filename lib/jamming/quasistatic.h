@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The quasi-static protocol: compaction by inertia at a pressure high enough to be quick, then
+// relaxation of the enthalpy down a ladder of pressures, to a minimum at the applied one.
+//
+// The jammed state does not remember inertia, so none is needed to find it. A rung that keeps its
+// network is cheap to relax from the one above; one that loses it is not, so rungs are close and
+// each is brought to rest. At the foot Newton's method ends what the relaxation has begun.
+#pragma once
+
+#include "jamming/newton_relaxation.h"
+#include "jamming/nph_step.h"
+#include "jamming/relax_step.h"
+
+#include <optional>
+
+namespace jam {
+
+struct QuasistaticSettings {
+    NphSettings compaction;  ///< masses by diameter, whatever the scene's
+    RelaxSettings relax;     ///< at the applied pressure
+    NewtonSettings newton;
+    LadderSettings ladder;
+    StopSettings stop;
+    double first_pressure = 0.0;    ///< mean pressure of the first rung
+    double applied_pressure = 0.0;  ///< mean pressure of the last
+    bool newton_serves = false;     ///< isotropic pressure, cell free in all components
+};
+
+/// The ladder begins at the pressure that overlaps equal spheres by 1e-3 of the smallest diameter,
+/// or less where sizes are wide, so that small spheres between large ones are not squeezed flat: at
+/// 5 D_min / D_V of it, D_V the mean diameter by volume; never below the applied pressure.
+QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& state);
+
+/// A run by this protocol, one step at a time. All that decides how it goes on is in the state.
+class QuasistaticRun {
+  public:
+    QuasistaticRun(const Scene& scene, JamState& state);
+
+    /// Lists and forces, for a new state or one from a checkpoint.
+    void begin();
+    /// One step: of compaction, of relaxation, or a whole attempt of Newton's method (as many steps
+    /// as it took factorizations).
+    void advance();
+    /// Whether the state has just come to rest at the applied pressure, as far as forces and
+    /// stress tell; the verdict decides.
+    bool at_rest() const { return at_rest_; }
+
+    const ContactSums& sums() const;
+    const ExpectedMotion& motion() const;
+    double time_step() const { return settings_.compaction.time_step; }
+    StageTimes times() const;
+
+  private:
+    bool compacting() const;
+    bool on_last_rung() const;
+    void begin_ladder();
+    void begin_rung(double pressure);
+    void end_rung();
+    void relax();
+    void finish();
+    void try_newton();
+    double error_of_pressure() const;
+    Mat3 rung_pressure() const;
+
+    JamState& state_;
+    QuasistaticSettings settings_;
+    ProtocolSettings protocol_;
+    ListSettings lists_;
+    std::vector<double> diameters_;
+    std::optional<NphScratch> compaction_;
+    std::optional<RelaxScratch> relaxation_;
+    bool at_rest_ = false;
+};
+
+}  // namespace jam

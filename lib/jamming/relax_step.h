@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One step of the relaxation of the enthalpy U(x, h) + p V in positions and cell together: FIRE
+// (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) in the metric of relaxation_metric.h.
+#pragma once
+
+#include "contacts/contact_forces.h"
+#include "core/stage_times.h"
+#include "jamming/jam_state.h"
+#include "neighbors/verlet_lists.h"
+
+namespace jam {
+
+struct RelaxSettings {
+    Material material;
+    Mat3 pressure = Mat3::Zero();  ///< applied; symmetric
+    FreeCell free_cell = FreeCell::all;
+    double largest_time_step = 1.2;  ///< in the metric's units; above 2.4 no contact is stable
+    double largest_move = 0.02;      ///< of a particle in a step, in smallest diameters
+    double largest_strain = 1e-3;    ///< of the cell in a step
+};
+
+/// Memory of the steps, kept between them.
+struct RelaxScratch {
+    RelaxScratch(std::span<const double> diameters, const ListSettings& settings)
+        : lists(diameters, settings) {}
+
+    VerletLists lists;
+    NeighborList full;  ///< of lists.candidates
+    RelaxationMetric metric;
+    ForceScratch forces;
+    ContactSums sums;
+    double power = 0.0;         ///< F . v, over particles and cell
+    double push_squared = 0.0;  ///< F . M^-1 F
+    double net_force = 0.0;     ///< sum over particles of |F|
+    ExpectedMotion motion;
+    StageTimes times;
+
+    /// Of the last evaluation; NaN without contacts.
+    double cundall() const { return net_force / sums.force_magnitudes; }
+};
+
+/// Lists, forces and metric for state.particles as they stand: at the beginning of a relaxation,
+/// and when one goes on from a checkpoint. Called once before the first step.
+void begin_relaxation(JamState& state, const RelaxSettings& settings, RelaxScratch& scratch);
+
+/// One step, one evaluation of the forces. state.particles are sorted anew whenever the lists are;
+/// afterwards loads, pressure and scratch belong to the state as it is.
+void relax_step(JamState& state, const RelaxSettings& settings, RelaxScratch& scratch);
+
+}  // namespace jam

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jamming/relaxation_metric.h"
+
+#include "contacts/elastic_laws.h"
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace jam {
+
+namespace {
+
+constexpr Count block_size = 2048;
+constexpr double kept_share = 0.9;  // of the running means at a renewal
+constexpr double gap_in_mean_overlaps = 3.0;
+constexpr double stiffness_factor = 3.0;
+constexpr double held_floor = 0.01;
+constexpr double loose_floor = 3.0;
+constexpr double contacts_that_hold = 4.0;
+
+void mix(double kept, const SymmetricBlock& now, SymmetricBlock& mean) {
+    const auto into = [kept](double value, double& of) { of = kept * of + (1.0 - kept) * value; };
+    into(now.xx, mean.xx);
+    into(now.xy, mean.xy);
+    into(now.xz, mean.xz);
+    into(now.yy, mean.yy);
+    into(now.yz, mean.yz);
+    into(now.zz, mean.zz);
+}
+
+BlockResponse response_of(const SymmetricBlock& k, double floor) {
+    const double xx = stiffness_factor * k.xx + floor;
+    const double yy = stiffness_factor * k.yy + floor;
+    const double zz = stiffness_factor * k.zz + floor;
+    const double xy = stiffness_factor * k.xy;
+    const double xz = stiffness_factor * k.xz;
+    const double yz = stiffness_factor * k.yz;
+    const double minor_xx = yy * zz - yz * yz;
+    const double minor_xy = xz * yz - xy * zz;
+    const double minor_xz = xy * yz - xz * yy;
+    const double scale = 1.0 / (xx * minor_xx + xy * minor_xy + xz * minor_xz);
+    return {.inverse = {minor_xx * scale, minor_xy * scale, minor_xz * scale,
+                        (xx * zz - xz * xz) * scale, (xy * xz - xx * yz) * scale,
+                        (xx * yy - xy * xy) * scale},
+            .mass = (xx + yy + zz) / 3.0};
+}
+
+/// What the contacts of one particle add up to.
+struct Surroundings {
+    SymmetricBlock block;
+    Mat3 cell = Mat3::Zero();
+    double contacts = 0.0;
+
+    void add(const Vec3& r, double tangent) {
+        const double scale = tangent / r.squaredNorm();
+        block.xx += scale * r[0] * r[0];
+        block.xy += scale * r[0] * r[1];
+        block.xz += scale * r[0] * r[2];
+        block.yy += scale * r[1] * r[1];
+        block.yz += scale * r[1] * r[2];
+        block.zz += scale * r[2] * r[2];
+        const Vec3 squares = r.cwiseProduct(r);
+        cell += 0.5 * scale * squares * squares.transpose();  // each contact is met twice
+        contacts += 1.0;
+    }
+};
+
+struct StiffnessSums {
+    Mat3 cell = Mat3::Zero();
+    double stiffness = 0.0;
+    double contacts = 0.0;
+
+    StiffnessSums& operator+=(const StiffnessSums& other) {
+        cell += other.cell;
+        stiffness += other.stiffness;
+        contacts += other.contacts;
+        return *this;
+    }
+};
+
+template <typename Law>
+Surroundings surroundings_of(Index i, const NeighborList& full, const PeriodicCell& cell,
+                             const Law& law, double mean_overlap, const Particles& particles) {
+    const Sphere& sphere = particles.spheres[static_cast<std::size_t>(i)];
+    const double gap = gap_in_mean_overlaps * mean_overlap;
+    Surroundings sum;
+    for (const Neighbor neighbor : full.row(i)) {
+        const Sphere& other = particles.spheres[static_cast<std::size_t>(neighbor.particle())];
+        const ImageShift& shift = image_shifts[neighbor.image()];
+        const Vec3 r =
+            cell.cartesian(sphere.center - other.center - Vec3(shift.x, shift.y, shift.z));
+        const double touching = 0.5 * (sphere.diameter + other.diameter);
+        const double distance = r.norm();
+        if (distance >= touching + gap || distance == 0.0) continue;
+        const double overlap = std::max(touching - distance, mean_overlap);
+        sum.add(r, law.tangent(overlap, sphere.diameter, other.diameter));
+    }
+    return sum;
+}
+
+}  // namespace
+
+NeighborList full_list(const NeighborList& half) {
+    const Index count = half.particle_count();
+    const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+    NeighborList full;
+    full.row_begin.assign(at(count) + 1, 0);
+    for (Index i = 0; i < count; ++i) {
+        full.row_begin[at(i)] += static_cast<Count>(half.row(i).size());
+        for (const Neighbor neighbor : half.row(i)) ++full.row_begin[at(neighbor.particle())];
+    }
+    exclusive_scan(full.row_begin);
+    full.neighbors.resize(static_cast<std::size_t>(full.row_begin.back()));
+    std::vector<Count> next(full.row_begin.begin(), full.row_begin.end() - 1);
+    const auto add = [&](Index row, Neighbor neighbor) {
+        full.neighbors[static_cast<std::size_t>(next[at(row)]++)] = neighbor;
+    };
+    for (Index i = 0; i < count; ++i) {
+        for (const Neighbor neighbor : half.row(i)) {
+            add(i, neighbor);
+            add(neighbor.particle(), Neighbor(i, image_count - 1 - neighbor.image()));
+        }
+    }
+    return full;
+}
+
+void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const Material& material,
+                     double mean_overlap, const Particles& particles, ContactStiffness& stiffness) {
+    const double kept = stiffness.empty() ? 0.0 : kept_share;
+    stiffness.blocks.resize(particles.spheres.size());
+    stiffness.contacts.resize(particles.spheres.size());
+    const StiffnessSums sums = with_elastic_law(material, [&](const auto& law) {
+        return sum_blocks(
+            particles.size(), block_size, StiffnessSums{}, [&](Count begin, Count end) {
+                StiffnessSums sum;
+                for (auto i = static_cast<Index>(begin); i < end; ++i) {
+                    const Surroundings now =
+                        surroundings_of(i, full, cell, law, mean_overlap, particles);
+                    const std::size_t id = particles.ids[static_cast<std::size_t>(i)];
+                    mix(kept, now.block, stiffness.blocks[id]);
+                    stiffness.contacts[id] = now.contacts;
+                    sum += {now.cell, now.block.xx + now.block.yy + now.block.zz, now.contacts};
+                }
+                return sum;
+            });
+    });
+    stiffness.cell = kept * stiffness.cell + (1.0 - kept) * sums.cell;
+    const double typical =
+        sums.contacts > 0.0 ? sums.stiffness / sums.contacts : material.stiffness;
+    stiffness.typical = kept * stiffness.typical + (1.0 - kept) * typical;
+}
+
+void set_metric(const ContactStiffness& stiffness, const Particles& particles,
+                RelaxationMetric& metric) {
+    const double unit = stiffness.typical;
+    metric.particles.resize(particles.spheres.size());
+    for_each_block(particles.size(), block_size, [&](Count, Count begin, Count end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            const std::size_t id = particles.ids[i];
+            const bool held = stiffness.contacts[id] >= contacts_that_hold;
+            metric.particles[i] =
+                response_of(stiffness.blocks[id], unit * (held ? held_floor : loose_floor));
+        }
+    });
+    // Without any contact the cell has no stiffness, and still must not fly away.
+    metric.cell_inertia = (stiffness_factor * stiffness.cell).cwiseMax(unit);
+}
+
+}  // namespace jam

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jamming/quasistatic.h"
+
+#include "core/state_hash.h"
+#include "jamming/checkpoint_file.h"
+#include "jamming/jam_packing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace jam {
+namespace {
+
+Scene small_scene(Count count) {
+    Scene scene;
+    PowerLaw law;
+    law.size_ratio = 2.0;
+    law.alpha = 0.5;
+    scene.sizes.distribution = law;
+    scene.sizes.count = count;
+    scene.protocol.pressure = Mat3::Identity() * 1e-4;
+    scene.protocol.ladder.compaction_steps = 2000;
+    scene.stop.max_steps = 400'000;
+    scene.run.record_interval = 1000;
+    scene.run.threads = 1;
+    return scene;
+}
+
+std::uint64_t bits_of(const JamState& state) {
+    std::uint64_t hash = state_hash<Sphere>(state.particles.spheres);
+    hash = state_hash<Motion>(state.particles.motions, hash);
+    hash = state_hash<Load>(state.particles.loads, hash);
+    return state_hash(std::span<const double>(state.cell.matrix().data(), 9), hash);
+}
+
+TEST(Quasistatic, ComesToRestAtTheAppliedPressureAndStands) {
+    const Scene scene = small_scene(250);
+    JamState state = start_state(scene);
+    const JamResult result = jam_packing(scene, state);
+    ASSERT_EQ(result.outcome, JamOutcome::converged) << to_text(result.verdict);
+    ASSERT_EQ(result.verdict.criteria.size(), 4u);
+    const PackingStatistics& now = result.measurement.statistics;
+    EXPECT_LT(now.cundall, 1e-6);
+    EXPECT_LT((now.pressure - scene.protocol.pressure).cwiseAbs().maxCoeff(), 1e-4 * 1e-4);
+    EXPECT_GE(now.excess_contact_count(), 0);
+    EXPECT_GT(now.volume_fraction, 0.6);
+    EXPECT_LT(now.volume_fraction, 0.72);
+    EXPECT_EQ(now.kinetic_energy_per_particle, 0.0);
+}
+
+TEST(Quasistatic, SameBitsForAnyThreadCount) {
+    const auto bits_with = [](int threads) {
+        Scene scene = small_scene(3000);
+        scene.protocol.ladder.compaction_steps = 800;
+        scene.stop.max_steps = 1000;
+        scene.run.threads = threads;
+        JamState state = start_state(scene);
+        jam_packing(scene, state);
+        return bits_of(state);
+    };
+    const std::uint64_t alone = bits_with(1);
+    for (const int threads : {2, 3, 5, 8}) EXPECT_EQ(bits_with(threads), alone) << threads;
+}
+
+TEST(Quasistatic, GoesOnWithTheSameBitsWhereverItWasStopped) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / "widejam_quasistatic_resume.h5";
+    Scene scene = small_scene(250);
+    scene.protocol.ladder.compaction_steps = 500;
+    scene.stop.max_steps = 2500;
+    JamState whole = start_state(scene);
+    jam_packing(scene, whole);
+    for (const Count stop_at : {300, 500, 501, 733, 1999}) {
+        JamState state = start_state(scene);
+        jam_packing(scene, state, {.stop_requested = [&] { return state.step >= stop_at; }});
+        ASSERT_EQ(state.step, stop_at);
+        save_checkpoint(state, "scene", file);
+        Checkpoint checkpoint = load_checkpoint(file);
+        jam_packing(scene, checkpoint.state);
+        EXPECT_EQ(bits_of(checkpoint.state), bits_of(whole)) << "stopped at " << stop_at;
+    }
+    std::filesystem::remove(file);
+    std::filesystem::remove(file.string() + ".previous");
+}
+
+TEST(Quasistatic, BeginsLowerWhereSizesAreWide) {
+    const auto first_pressure = [](double size_ratio, ContactLaw law) {
+        Scene scene = small_scene(2000);
+        PowerLaw sizes;
+        sizes.size_ratio = size_ratio;
+        sizes.alpha = 1.0;
+        scene.sizes.distribution = sizes;
+        scene.contact.law = law;
+        scene.protocol.pressure = Mat3::Identity() * 1e-9;
+        return quasistatic_settings(scene, start_state(scene)).first_pressure;
+    };
+    EXPECT_NEAR(first_pressure(2.0, ContactLaw::hooke), 1e-3, 1e-6);
+    // D_V = (lambda + 1) / 2 at alpha = 1
+    EXPECT_NEAR(first_pressure(20.0, ContactLaw::hooke), 5e-3 / 10.5, 0.05 * 5e-3 / 10.5);
+    // Hertz: k sqrt(D / 4) delta^1.5 / D^2
+    EXPECT_NEAR(first_pressure(2.0, ContactLaw::hertz), 0.5 * std::pow(1e-3, 1.5), 1e-8);
+}
+
+}  // namespace
+}  // namespace jam

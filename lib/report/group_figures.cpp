@@ -282,7 +282,8 @@ Figure size_coordination_by_alpha_figure(std::span<const NamedMeasurements> pack
                                          std::span<const PackingGroup> groups) {
     const auto [ratio, alphas] = largest_ratio_of(groups);
     const Table table = stacked(
-        packings, groups, [&](const PowerLaw& law) { return law.size_ratio == ratio; },
+        packings, groups,
+        [wanted = ratio](const PowerLaw& law) { return law.size_ratio == wanted; },
         [](const Measurements& m) { return jam::table(m.size_coordination); });
     return {"size_coordination_by_alpha",
             "Contacts against size",
@@ -310,7 +311,8 @@ Figure backbone_sizes_by_alpha_figure(std::span<const NamedMeasurements> packing
                                       std::span<const PackingGroup> groups) {
     const auto [ratio, alphas] = largest_ratio_of(groups);
     const Table table = stacked(
-        packings, groups, [&](const PowerLaw& law) { return law.size_ratio == ratio; },
+        packings, groups,
+        [wanted = ratio](const PowerLaw& law) { return law.size_ratio == wanted; },
         [](const Measurements& m) { return density_table(m.backbone_sizes); });
     return {"backbone_sizes_by_alpha",
             "Sizes of the backbone",

@@ -93,6 +93,7 @@ void PackingCollection::add(const Packing& packing, const std::string& name,
 WrittenReport PackingCollection::write(const std::filesystem::path& folder) const {
     const std::vector<PackingGroup> groups = group_packings(packings_);
     std::vector<PageImage> pictures;
+    pictures.reserve(groups.size());
     for (const PackingGroup& group : groups)
         pictures.push_back(*std::ranges::find(pictures_, group.sizes.words, &PageImage::caption));
     std::vector<Figure> figures = group_figures(packings_, groups);

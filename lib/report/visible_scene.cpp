@@ -147,7 +147,7 @@ std::optional<Surface> first_sphere(const VisibleScene& scene, const Ray& ray) {
 }
 
 std::optional<Surface> first_surface(const VisibleScene& scene, const Ray& ray) {
-    const std::optional<Surface> sphere = first_sphere(scene, ray);
+    std::optional<Surface> sphere = first_sphere(scene, ray);
     Ray to_edges = ray;
     if (sphere) to_edges.end = (sphere->point - ray.origin).norm();
     const auto edge = scene.edges.first_hit(to_edges);

@@ -56,7 +56,8 @@ bool within_half_space_exhaustive(std::span<const Vec3> directions) {
 std::vector<Vec3> outermost(std::span<const Vec3> directions) {
     std::vector<Vec3> result;
     for (int code = 0; code < 27; ++code) {
-        const Vec3 towards(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+        const Eigen::Vector3i corner(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+        const Vec3 towards = corner.cast<double>();
         result.push_back(*std::max_element(
             directions.begin(), directions.end(),
             [&](const Vec3& a, const Vec3& b) { return towards.dot(a) < towards.dot(b); }));

@@ -6,7 +6,15 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
-target_compile_options(widejam_build_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+target_compile_options(widejam_build_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion)
+# Several files are compiled as one: most of the time goes into other libraries' headers, read once for each
+# compilation. Names in unnamed namespaces are therefore unique within a folder. CMAKE_UNITY_BUILD=OFF suits
+# work on one file.
+if(NOT DEFINED CMAKE_UNITY_BUILD)
+    set(CMAKE_UNITY_BUILD ON)
+endif()
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+
 # GCC 12 reports its own AVX-512 headers as maybe uninitialised (GCC bug 105593).
 target_compile_options(widejam_build_settings INTERFACE -Wno-maybe-uninitialized)
 if(WIDEJAM_WERROR)

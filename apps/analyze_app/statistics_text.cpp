@@ -34,6 +34,15 @@ std::string line(std::string_view label, const std::string& value, const std::st
     return fmt::format("  {:<22}{:<14}{}\n", label, value, note);
 }
 
+/// The stricter test speaks of forces in balance: where they are not, one particle after the other
+/// falls.
+std::string unheld_words(const PackingStatistics& s) {
+    if (s.unheld_count < s.particle_count)
+        return fmt::format("{} by the stricter test: not held from all sides",
+                           grouped(s.unheld_count));
+    return "the stricter test leaves none: the contacts do not balance, one falls after the other";
+}
+
 std::string contacts_lines(const PackingStatistics& s) {
     const auto backbone = s.particle_count - s.rattler_count;
     std::string text;
@@ -46,9 +55,7 @@ std::string contacts_lines(const PackingStatistics& s) {
     text += line("rattlers", fmt::format("{:.2f} %", 100.0 * s.rattler_fraction),
                  fmt::format("{} with fewer than {} contacts; the backbone has {}",
                              grouped(s.rattler_count), s.rattler_threshold, grouped(backbone)));
-    text += line(
-        "", "",
-        fmt::format("{} by the stricter test: not held from all sides", grouped(s.unheld_count)));
+    text += line("", "", unheld_words(s));
     text += line("overlap", fmt::format("{:.3g}", s.mean_overlap),
                  fmt::format("of the smaller diameter; largest {:.3g}", s.largest_overlap));
     return text;
@@ -75,6 +82,16 @@ std::string cell_lines(const Mat3& cell) {
                      fmt::format("{}  {:12.6f}{:12.6f}{:12.6f}", names[static_cast<unsigned>(k)],
                                  cell(k, 0), cell(k, 1), cell(k, 2)));
     return text;
+}
+
+ordered_json number_rows(const Mat6& matrix) {
+    ordered_json rows = ordered_json::array();
+    for (int a = 0; a < strain_count; ++a) {
+        ordered_json row = ordered_json::array();
+        for (int b = 0; b < strain_count; ++b) row.push_back(matrix(a, b));
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 }  // namespace
@@ -112,6 +129,29 @@ std::string statistics_table(const PackingStatistics& s, const std::string& name
     text += line("volume fraction", fmt::format("{:.5f}", s.volume_fraction),
                  fmt::format("{:.5f} without rattlers", s.volume_fraction_nr));
     return text + contacts_lines(s) + stress_lines(s) + cell_lines(s.cell);
+}
+
+ordered_json elasticity_json(const Elasticity& e) {
+    ordered_json json;
+    json["particle_count"] = e.particle_count;
+    json["pressure"] = e.pressure;
+    json["stable"] = e.stability.stable;
+    json["smallest_eigenvalue"] = e.stability.smallest_eigenvalue;
+    json["bulk_modulus"] = e.moduli.bulk;
+    json["shear_modulus"] = e.moduli.shear;
+    json["stiffness"] = number_rows(e.moduli.stiffness);
+    return json;
+}
+
+std::string elasticity_table(const Elasticity& e) {
+    if (e.particle_count == 0) return line("elasticity", "-", "no particle is held from all sides");
+    std::string text = line(
+        "stable", e.stability.stable ? "yes" : "no",
+        fmt::format("smallest eigenvalue {:.3g} of {} particles held from all sides and the cell",
+                    e.stability.smallest_eigenvalue, grouped(e.particle_count)));
+    text += line("bulk modulus", number_or_dash(e.moduli.bulk),
+                 fmt::format("shear modulus {}", number_or_dash(e.moduli.shear)));
+    return text;
 }
 
 }  // namespace jam::apps

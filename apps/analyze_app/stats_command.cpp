@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <optional>
 
 namespace jam::apps {
 
@@ -20,17 +21,38 @@ CLI::App* add_stats_command(CLI::App& program, StatsOptions& options) {
         ->add_option("--rattler-threshold", options.rattler_threshold,
                      "a particle with fewer contacts is a rattler")
         ->capture_default_str();
+    command->add_flag("--elastic", options.elastic,
+                      "also whether it is stable, and its bulk and shear modulus (up to 20,000 "
+                      "particles that bear load)");
     command->add_flag("--json", options.json, "print JSON, its keys fixed for programs");
     return command;
 }
+
+namespace {
+
+std::string json_text(const PackingStatistics& statistics,
+                      const std::optional<Elasticity>& elasticity) {
+    nlohmann::ordered_json json = statistics_json(statistics);
+    if (elasticity) json["elasticity"] = elasticity_json(*elasticity);
+    return json.dump(4) + "\n";
+}
+
+std::string table_text(const PackingStatistics& statistics,
+                       const std::optional<Elasticity>& elasticity, const std::string& name) {
+    const std::string table = statistics_table(statistics, name);
+    return elasticity ? table + elasticity_table(*elasticity) : table;
+}
+
+}  // namespace
 
 int print_stats(const StatsOptions& options) {
     const Packing packing = open_packing(options.packing);
     const ForceNetwork network = find_force_network(packing, options.rattler_threshold);
     const PackingStatistics statistics = packing_statistics(packing, network);
-    const std::string text = options.json ? statistics_json(statistics).dump(4) + "\n"
-                                          : statistics_table(statistics, options.packing);
-    fmt::print("{}", text);
+    std::optional<Elasticity> elasticity;
+    if (options.elastic) elasticity = find_elasticity(packing, network);
+    fmt::print("{}", options.json ? json_text(statistics, elasticity)
+                                  : table_text(statistics, elasticity, options.packing));
     return exit_good;
 }
 

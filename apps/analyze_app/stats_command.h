@@ -13,6 +13,7 @@ namespace jam::apps {
 struct StatsOptions {
     std::string packing;
     int rattler_threshold = default_rattler_threshold;
+    bool elastic = false;
     bool json = false;
 };
 

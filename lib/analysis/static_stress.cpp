@@ -7,13 +7,13 @@ namespace jam {
 
 namespace {
 
-constexpr Count block_size = 4096;
+constexpr Count items_per_block = 4096;
 
 /// Sum of |F_p| over the particles that `counts` tells to take.
 template <typename Counts>
 double sum_of_net_forces(const ForceNetwork& network, Counts&& counts) {
     const Count particle_count = network.rows.particle_count();
-    return sum_blocks(particle_count, block_size, 0.0, [&](Count begin, Count end) {
+    return sum_blocks(particle_count, items_per_block, 0.0, [&](Count begin, Count end) {
         double sum = 0.0;
         for (auto i = static_cast<Index>(begin); i < end; ++i)
             if (counts(i)) sum += net_force(network, i).norm();
@@ -23,7 +23,7 @@ double sum_of_net_forces(const ForceNetwork& network, Counts&& counts) {
 
 double sum_of_contact_forces(std::span<const Contact> contacts) {
     const auto contact_count = static_cast<Count>(contacts.size());
-    return sum_blocks(contact_count, block_size, 0.0, [&](Count begin, Count end) {
+    return sum_blocks(contact_count, items_per_block, 0.0, [&](Count begin, Count end) {
         double sum = 0.0;
         for (Count c = begin; c < end; ++c) sum += contacts[c].force;
         return sum;
@@ -35,17 +35,18 @@ double sum_of_contact_forces(std::span<const Contact> contacts) {
 Mat3 static_pressure(const Packing& packing, std::span<const Contact> contacts) {
     const Mat3 zero = Mat3::Zero();
     const auto contact_count = static_cast<Count>(contacts.size());
-    const Mat3 virial = sum_blocks(contact_count, block_size, zero, [&](Count begin, Count end) {
-        Mat3 sum = Mat3::Zero();
-        for (Count c = begin; c < end; ++c) {
-            const Contact& contact = contacts[c];
-            const double mean_diameter =
-                0.5 * (packing.diameters[contact.first] + packing.diameters[contact.second]);
-            const double distance = mean_diameter - contact.overlap;
-            sum += contact.force * distance * contact.normal * contact.normal.transpose();
-        }
-        return sum;
-    });
+    const Mat3 virial =
+        sum_blocks(contact_count, items_per_block, zero, [&](Count begin, Count end) {
+            Mat3 sum = Mat3::Zero();
+            for (Count c = begin; c < end; ++c) {
+                const Contact& contact = contacts[c];
+                const double mean_diameter =
+                    0.5 * (packing.diameters[contact.first] + packing.diameters[contact.second]);
+                const double distance = mean_diameter - contact.overlap;
+                sum += contact.force * distance * contact.normal * contact.normal.transpose();
+            }
+            return sum;
+        });
     return virial / packing.cell.volume();
 }
 

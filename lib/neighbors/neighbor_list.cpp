@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbors/neighbor_list.h"
 
+#include "sizes/particle_count.h"
+
 namespace jam {
+
+static_assert(max_particle_count == Count{1} << Neighbor::index_bits);
 
 namespace {
 

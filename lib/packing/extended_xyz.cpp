@@ -96,23 +96,23 @@ std::vector<Column> columns_of(const LineReader& lines, const Keys& keys) {
     return columns;
 }
 
-struct Frame {
+struct XyzFrame {
     Count spheres = 0;
     LineReader::Place comment;  ///< the line before the first sphere
 };
 
 /// Reads the line with the number of spheres; nothing at the end of the file.
-std::optional<Frame> next_frame(LineReader& lines) {
+std::optional<XyzFrame> next_frame(LineReader& lines) {
     do
         if (!lines.next()) return std::nullopt;
     while (split(lines.line()).empty());
     const Count spheres = sphere_count_of(lines, lines.line());
-    return Frame{spheres, lines.place()};
+    return XyzFrame{spheres, lines.place()};
 }
 
-Frame find_last_frame(LineReader& lines) {
-    std::optional<Frame> found;
-    while (const std::optional<Frame> frame = next_frame(lines)) {
+XyzFrame find_last_frame(LineReader& lines) {
+    std::optional<XyzFrame> found;
+    while (const std::optional<XyzFrame> frame = next_frame(lines)) {
         found = frame;
         for (Count row = -1; row < found->spheres; ++row)
             if (!lines.next())
@@ -127,7 +127,7 @@ Frame find_last_frame(LineReader& lines) {
 
 Packing read_extended_xyz(const std::filesystem::path& path) {
     LineReader lines(path);
-    const Frame frame = find_last_frame(lines);
+    const XyzFrame frame = find_last_frame(lines);
     lines.go_to(frame.comment);
     lines.next();
     const Keys keys = keys_of(lines.line());

@@ -13,7 +13,7 @@ namespace jam {
 
 namespace {
 
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_estimate = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<PowerLaw> laws_of(std::span<const PackingGroup> groups) {
     std::vector<PowerLaw> laws;
@@ -92,7 +92,7 @@ void append_rows(Table& all, const PowerLaw& law, int packing, const Table& tabl
         all.columns[2].values.push_back(packing);
         for (std::size_t c = 0; c < table.columns.size(); ++c)
             all.columns[3 + c].values.push_back(row < rows ? table.columns[c].values[row]
-                                                           : no_value);
+                                                           : no_estimate);
     }
 }
 

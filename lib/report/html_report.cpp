@@ -111,6 +111,16 @@ std::string vector_words(const Eigen::RowVector3d& v) {
     return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x(), v.y(), v.z());
 }
 
+std::string unheld_words(const PackingStatistics& s) {
+    if (s.unheld_count == s.particle_count)
+        return "all, if contacts must surround a particle: forces do not balance yet, and where "
+               "one "
+               "falls others follow";
+    return fmt::format(
+        "{} ({}), if the contacts must surround a particle", grouped(s.unheld_count),
+        percent(static_cast<double>(s.unheld_count) / static_cast<double>(s.particle_count)));
+}
+
 std::string numbers_section(const Measurements& m) {
     const PackingStatistics& s = m.statistics;
     const Mat3& p = s.pressure;
@@ -128,10 +138,7 @@ std::string numbers_section(const Measurements& m) {
     add("Volume fraction the rod model expects", fmt::format("{:.4f}", m.rod_fraction));
     add("Contacts", fmt::format("{}; {} in the backbone, isostatic {}", grouped(s.contact_count),
                                 grouped(s.contact_count_nr), grouped(s.isostatic_contact_count)));
-    add("Rattlers by a stricter rule",
-        fmt::format(
-            "{} ({}), if the contacts must surround a particle", grouped(m.unheld_count),
-            percent(static_cast<double>(m.unheld_count) / static_cast<double>(s.particle_count))));
+    add("Rattlers by a stricter rule", unheld_words(s));
     add("Cundall parameter C",
         fmt::format("{}; backbone {}", short_number(s.cundall), short_number(s.cundall_nr)));
     add("Pressure tensor",

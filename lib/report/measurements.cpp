@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/measurements.h"
 
-#include "analysis/unheld.h"
-
 namespace jam {
 
 Measurements measure(const Packing& packing, const ForceNetwork& network) {
     const std::vector<double>& diameters = packing.diameters;
     Measurements m;
     m.statistics = packing_statistics(packing, network);
-    m.unheld_count = find_unheld(network.contacts, network.rows).rattler_count;
     m.applied_pressure = packing.applied_pressure;
     m.rod_fraction = rod_packing_fraction(diameters, rod_model_of_reports);
     m.cumulative_volume = cumulative_volume(diameters);

@@ -24,7 +24,6 @@ inline constexpr RodModel rod_model_of_reports{0.780};
 
 struct Measurements {
     PackingStatistics statistics;
-    Count unheld_count = 0;  ///< rattlers by the stricter rule: contacts within one half-space
     Mat3 applied_pressure = Mat3::Zero();  ///< zero where it is not known
     double rod_fraction = 0.0;             ///< volume fraction by rod_model_of_reports
     CumulativeVolume cumulative_volume;

@@ -12,9 +12,6 @@ namespace jam {
 /// Fig. 1a: volume below a diameter.
 Figure cumulative_volume_figure(const CumulativeVolume& volume, const SizePowerLaw& law);
 
-/// Fig. 2: a run over time, from read_run_history. `applied_pressure` 0: not known.
-Figure history_figure(const Table& history, double applied_pressure);
-
 /// Fig. 4: which sizes touch which.
 Figure pair_sizes_figure(const ContactPairSizes& sizes);
 

@@ -27,7 +27,7 @@ struct RelaxState {
     double mixing = 0.1;         ///< FIRE's alpha
     int steps_downhill = 0;      ///< since the power was last negative
     int renewal_age = 0;         ///< steps since the stiffness was renewed
-    double speed_squared = 0.0;  ///< v . M v of the last move, particles and cell
+    double speed_squared = 0.0;  ///< v . M v after the last move, particles and cell
     ContactStiffness stiffness;
 };
 

@@ -155,10 +155,6 @@ void QuasistaticRun::begin_rung(double pressure) {
     state_.quasistatic.pressure = pressure;
     state_.quasistatic.rung_begin = state_.step;
     state_.quasistatic.next_trial = state_.step;
-    const RelaxState fresh;
-    state_.relax.time_step = fresh.time_step;
-    state_.relax.mixing = fresh.mixing;
-    state_.relax.steps_downhill = 0;
     settings_.relax.pressure = rung_pressure();
 }
 

@@ -34,20 +34,6 @@ Double4 times(const SymmetricBlock& m, const Double4& f) {
            Double4{m.xz, m.yz, m.zz, 0.0} * f[2];
 }
 
-/// v . M v, from the inverse of M.
-double inertia_along(const SymmetricBlock& a, const Double4& v) {
-    const double xx = a.yy * a.zz - a.yz * a.yz;
-    const double xy = a.xz * a.yz - a.xy * a.zz;
-    const double xz = a.xy * a.yz - a.xz * a.yy;
-    const double yy = a.xx * a.zz - a.xz * a.xz;
-    const double yz = a.xy * a.xz - a.xx * a.yz;
-    const double zz = a.xx * a.yy - a.xy * a.xy;
-    const double determinant = a.xx * xx + a.xy * xy + a.xz * xz;
-    return (xx * v[0] * v[0] + yy * v[1] * v[1] + zz * v[2] * v[2] +
-            2.0 * (xy * v[0] * v[1] + xz * v[0] * v[2] + yz * v[1] * v[2])) /
-           determinant;
-}
-
 double squared_norm(const Mat3& inertia, const Mat3& rate) {
     return inertia.cwiseProduct(rate).cwiseProduct(rate).sum();
 }
@@ -117,32 +103,45 @@ Move next_move(RelaxState& relax, double power, double push_squared, double larg
     return {1.0 - relax.mixing, relax.mixing * turn + relax.time_step, 0.0, relax.time_step};
 }
 
-struct CellMove {
-    Mat3 strain;           ///< of this step
-    double speed_squared;  ///< L : W L of the new rate
-};
+/// v' . M v' from the sums over v and F before: exact but for what the caps on the motion take away
+/// and the metric's renewal changes, both of which the next motion uphill forgets.
+double speed_squared_after(double before, const Move& move, double power, double push_squared) {
+    return std::max(0.0, move.keep * move.keep * before + 2.0 * move.keep * move.push * power +
+                             move.push * move.push * push_squared);
+}
 
-CellMove move_cell(JamState& state, const RelaxSettings& settings, const Move& move,
-                   const Mat3& push, const Mat3& inertia) {
+/// Moves on the cell's rate of strain and returns the strain of this step.
+Mat3 strain_of_step(JamState& state, const RelaxSettings& settings, const Move& move,
+                    const Mat3& push) {
     const Mat3 before = state.velocity_gradient;
     Mat3& rate = state.velocity_gradient;
     rate = move.keep * before + move.push * push;
     const double strain = rate.norm() * move.time_step;
     if (strain > settings.largest_strain) rate *= settings.largest_strain / strain;
-    return {move.back * before + move.time_step * rate, squared_norm(inertia, rate)};
+    return move.back * before + move.time_step * rate;
 }
 
 struct Moved {
     double displacement_squared = 0.0;  ///< largest since the tiles were made
     double largest_speed_squared = 0.0;
-    double speed_squared = 0.0;  ///< sum of v . M v
 
     Moved& operator+=(const Moved& other) {
         displacement_squared = std::max(displacement_squared, other.displacement_squared);
         largest_speed_squared = std::max(largest_speed_squared, other.largest_speed_squared);
-        speed_squared += other.speed_squared;
         return *this;
     }
+};
+
+/// An upper triangular matrix times a vector, in plain numbers: the loop over particles is short.
+struct UpperTriangle {
+    explicit UpperTriangle(const Mat3& m)
+        : xx(m(0, 0)), xy(m(0, 1)), xz(m(0, 2)), yy(m(1, 1)), yz(m(1, 2)), zz(m(2, 2)) {}
+
+    Double4 operator*(const Double4& v) const {
+        return Double4{xx * v[0] + xy * v[1] + xz * v[2], yy * v[1] + yz * v[2], zz * v[2], 0.0};
+    }
+
+    double xx, xy, xz, yy, yz, zz;
 };
 
 /// Moves one particle after another.
@@ -162,34 +161,37 @@ class Mover {
         const Double4 before = load4(particles_.motions[i]);
         const bool touches = load[3] > 0.0;
         if (!touches && dot3(before, before) == 0.0) return;
-        const BlockResponse& metric = scratch_.metric.particles[i];
-        const Double4 after = velocity(before, load, touches, metric);
+        const Double4 after = velocity(before, load, touches, scratch_.metric.particles[i], moved);
         store4(after, particles_.motions[i]);
         const Double4 step = before * move_.back + after * move_.time_step;
-        Vec3& center = particles_.spheres[i].center;
-        center += to_fractional_.triangularView<Eigen::Upper>() * Vec3(step[0], step[1], step[2]);
-        const Vec3 away = to_cartesian_ * (center - scratch_.lists.inner.centers[i]);
-        moved.displacement_squared = std::max(moved.displacement_squared, away.squaredNorm());
-        moved.largest_speed_squared = std::max(moved.largest_speed_squared, dot3(after, after));
-        if (touches) moved.speed_squared += inertia_along(metric.inverse, after);
+        const Double4 sphere = load4(particles_.spheres[i]) + to_fractional_ * step;
+        store4(sphere, particles_.spheres[i]);
+        const Vec3& origin = scratch_.lists.inner.centers[i];
+        const Double4 away =
+            to_cartesian_ * (sphere - Double4{origin[0], origin[1], origin[2], 0.0});
+        moved.displacement_squared = std::max(moved.displacement_squared, dot3(away, away));
     }
 
   private:
     Double4 velocity(const Double4& before, const Double4& load, bool touches,
-                     const BlockResponse& metric) const {
+                     const BlockResponse& metric, Moved& moved) const {
         const double keep = touches ? move_.keep : drag_of_loose_ones * move_.keep;
         Double4 after = before * keep + times(metric.inverse, load) * move_.push;
-        const double speed = std::sqrt(dot3(after, after));
-        if (speed > top_speed_) after *= top_speed_ / speed;
-        if (!touches && speed < 1e-12 * top_speed_) after = Double4{};
+        double squared = dot3(after, after);
+        if (squared > top_speed_ * top_speed_) {
+            after *= top_speed_ / std::sqrt(squared);
+            squared = top_speed_ * top_speed_;
+        }
+        if (!touches && squared < 1e-24 * top_speed_ * top_speed_) after = Double4{};
         after[3] = metric.mass;
+        moved.largest_speed_squared = std::max(moved.largest_speed_squared, squared);
         return after;
     }
 
     Particles& particles_;
     Move move_;
-    Mat3 to_fractional_;
-    Mat3 to_cartesian_;
+    UpperTriangle to_fractional_;
+    UpperTriangle to_cartesian_;
     double top_speed_;
     const RelaxScratch& scratch_;
 };
@@ -277,16 +279,17 @@ void relax_step(JamState& state, const RelaxSettings& settings, RelaxScratch& sc
     const double push_squared = scratch.push_squared + squared_norm(inertia, cell_push);
     const Move move = next_move(relax, power, push_squared, settings.largest_time_step);
 
-    const CellMove cell = move_cell(state, settings, move, cell_push, inertia);
-    const PeriodicCell halfway = strained_cell(state.cell, 0.5 * cell.strain);
-    state.cell = strained_cell(state.cell, cell.strain);
+    relax.speed_squared = speed_squared_after(relax.speed_squared, move, power, push_squared);
+
+    const Mat3 strain = strain_of_step(state, settings, move, cell_push);
+    const PeriodicCell halfway = strained_cell(state.cell, 0.5 * strain);
+    state.cell = strained_cell(state.cell, strain);
     Moved moved;
     {
         const StageTimer timer(scratch.times, Stage::integrate);
         moved = move_particles(state, Mover(state, move, halfway, settings.largest_move, scratch));
     }
-    relax.speed_squared = moved.speed_squared + cell.speed_squared;
-    scratch.motion = {std::sqrt(moved.largest_speed_squared) * move.time_step, cell.strain.norm()};
+    scratch.motion = {std::sqrt(moved.largest_speed_squared) * move.time_step, strain.norm()};
     keep_lists_valid(state, scratch, std::sqrt(moved.displacement_squared));
     evaluate(state, settings, scratch);
     ++state.step;

@@ -57,9 +57,9 @@ struct LadderSettings {
     /// Where the ladder begins; nothing: chosen from law and sizes (quasistatic.h).
     std::optional<double> compaction_pressure;
     Count compaction_steps = 6'000;
-    double pressure_ratio = 1.6;  ///< of one rung's pressure to the next
-    double cundall = 1e-5;        ///< to which a rung is relaxed
-    Count most_steps = 40'000;    ///< of a rung
+    double pressure_ratio = 1.1;  ///< of one rung's pressure to the next
+    double cundall = 1e-4;        ///< to which a rung is relaxed
+    Count most_steps = 20'000;    ///< of a rung
 };
 
 struct ProtocolSettings {

@@ -24,7 +24,7 @@ MAY_INCLUDE = {
     "analysis": "core sizes cell particles packing grids neighbors contacts",
     "report": "core sizes cell particles packing analysis",
     "jamming": "core sizes cell particles packing grids placement neighbors contacts analysis",
-    "sweep": "core packing jamming",
+    "sweep": "core packing analysis report jamming",
     "handoff": "core particles packing grids jamming",
 }
 TBB = re.compile(r"(oneapi/)?tbb[/.]")

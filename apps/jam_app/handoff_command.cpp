@@ -2,6 +2,7 @@
 // jam_app handoff: a scene, or a packing that is to be jammed further, for LAMMPS.
 #include "handoff/handoff.h"
 #include "jam_app/commands.h"
+#include "jamming/rejam.h"
 #include "jamming/scene_file.h"
 #include "shared/program.h"
 #include "shared/shell_word.h"

@@ -30,6 +30,13 @@ static std::string joined(int argc, char** argv) {
 }
 
 /// Options that are short for a --set are turned into one, so that the same rules hold for them.
+static void add_threads(CLI::App& command, std::vector<std::string>& overrides) {
+    command.add_option_function<std::string>(
+        "--threads",
+        [&overrides](const std::string& count) { overrides.push_back("run.threads=" + count); },
+        "Threads; 0: all that the machine has (run.threads)");
+}
+
 static void add_run_options(CLI::App& command, RunOptions& options) {
     add_scene_options(command, options.scene);
     command.add_option_function<std::string>(
@@ -38,13 +45,21 @@ static void add_run_options(CLI::App& command, RunOptions& options) {
             options.scene.overrides.push_back("run.output=" + toml_text(folder));
         },
         "Folder of the results (run.output)");
-    command.add_option_function<std::string>(
-        "--threads",
-        [&options](const std::string& count) {
-            options.scene.overrides.push_back("run.threads=" + count);
-        },
-        "Threads; 0: all that the machine has (run.threads)");
+    add_threads(command, options.scene.overrides);
     command.add_flag("--resume", options.resume, "Go on with the run in the folder");
+}
+
+static void add_rejam_options(CLI::App& command, RejamOptions& options) {
+    command.add_option("packing", options.packing, "Packing: .h5, or a LAMMPS dump or data file")
+        ->required();
+    command.add_option("-o,--out", options.folder, "Folder of the results")->required();
+    command.add_flag("--without-rattlers", options.without_rattlers,
+                     "Take the rattlers out before");
+    command
+        .add_option("--set", options.overrides,
+                    "table.key=value in place of what the packing's scene says")
+        ->allow_extra_args(false);
+    add_threads(command, options.overrides);
 }
 
 static void add_sweep_options(CLI::App& command, SweepOptions& options) {
@@ -81,12 +96,30 @@ static int run_program(int argc, char** argv) {
     add_run_options(*run_command, run);
     run_command->callback([&] { chosen = [&] { return run_scene(run); }; });
 
+    RejamOptions rejam;
+    rejam.command_line = run.command_line;
+    auto* rejam_command = program.add_subcommand(
+        "rejam", "Let a packing converge again, with or without its rattlers");
+    add_rejam_options(*rejam_command, rejam);
+    rejam_command->callback([&] { chosen = [&] { return rejam_packing(rejam); }; });
+
     SweepOptions sweep;
     sweep.command_line = run.command_line;
     auto* sweep_command = program.add_subcommand(
         "sweep", "Jam a grid of scenes, as many at once as the machine bears");
     add_sweep_options(*sweep_command, sweep);
     sweep_command->callback([&] { chosen = [&] { return sweep_scenes(sweep); }; });
+
+    TradeOptions trade;
+    trade.command_line = run.command_line;
+    auto* trade_command = program.add_subcommand(
+        "trade", "Run a scene over the choices that trade speed for accuracy, and compare");
+    add_scene_options(*trade_command, trade.scene);
+    trade_command->add_option("-o,--out", trade.folder, "Folder of the results")->required();
+    trade_command->add_option("--seeds", trade.seeds, "Seeds for each choice, from run.seed on")
+        ->check(CLI::Range(1, 1000));
+    add_threads(*trade_command, trade.scene.overrides);
+    trade_command->callback([&] { chosen = [&] { return trade_scene(trade); }; });
 
     HandoffOptions handoff;
     auto* handoff_command =

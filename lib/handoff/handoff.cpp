@@ -58,21 +58,6 @@ Scene scene_back(Scene scene) {
 
 }  // namespace
 
-Scene scene_from_packing(const fs::path& path, std::span<const std::string> overrides) {
-    const Packing packing = read_packing(path);
-    Scene scene;
-    if (packing.provenance.scene.empty()) {
-        scene.contact = packing.material;
-        if (!packing.applied_pressure.isZero(0.0))
-            scene.protocol.pressure = packing.applied_pressure;
-    } else {
-        scene = parse_scene(packing.provenance.scene, path);
-    }
-    scene.start.packing = fs::absolute(path);
-    scene.run.output.clear();
-    return parse_scene(scene_text(scene), path, overrides);
-}
-
 void write_handoff(const Scene& scene, const fs::path& folder) {
     require_free(folder);
     const JamState start = start_state(scene);

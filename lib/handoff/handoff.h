@@ -5,16 +5,9 @@
 #include "jamming/scene.h"
 
 #include <filesystem>
-#include <span>
 #include <string>
 
 namespace jam {
-
-/// The scene that goes on from a saved packing: with contact, pressure, protocol and criteria of
-/// the scene that is in its file. Where there is none, contact and pressure are the packing's and
-/// the rest is by default. Overrides as for read_scene. Throws InputError and FileError.
-Scene scene_from_packing(const std::filesystem::path& packing,
-                         std::span<const std::string> overrides = {});
 
 /// The start of the scene and its protocol, for LAMMPS (29 Sep 2021 or later, package GRANULAR),
 /// into `folder`, which is made where it is missing:

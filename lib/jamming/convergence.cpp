@@ -54,8 +54,10 @@ Verdict judge_at_rest(const Measurement& measurement, const Scene& scene) {
     Verdict verdict;
     verdict.criteria = {
         criterion("pressure", pressure_error(now.pressure, scene.protocol), scene.stop.pressure),
-        criterion("cundall", now.cundall, scene.stop.cundall),
-        criterion("missing_contacts", -static_cast<double>(now.excess_contact_count()), 0.0)};
+        criterion("cundall", now.cundall, scene.stop.cundall)};
+    if (!scene.stop.stability) return verdict;
+    verdict.criteria.push_back(
+        criterion("missing_contacts", -static_cast<double>(now.excess_contact_count()), 0.0));
     const bool testable = scene.protocol.free_cell == FreeCell::all &&
                           measurement.network.rattlers.backbone_count() <= largest_tested_backbone;
     if (!testable) return verdict;

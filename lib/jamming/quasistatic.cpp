@@ -30,7 +30,13 @@ constexpr Count steps_between_trials = 5'000;
 constexpr Count patience = 3;
 constexpr double climb = 4.0;  // in pressure
 
-double first_pressure(const Scene& scene, const std::vector<double>& diameters) {
+bool is_isotropic(const Mat3& pressure) {
+    return pressure == Mat3(Mat3::Identity() * pressure(0, 0));
+}
+
+}  // namespace
+
+double automatic_compaction_pressure(const Material& material, std::span<const double> diameters) {
     const double smallest = *std::ranges::min_element(diameters);
     double cubes = 0.0;
     double fourths = 0.0;
@@ -39,17 +45,11 @@ double first_pressure(const Scene& scene, const std::vector<double>& diameters) 
         fourths += std::pow(diameter, 4);
     }
     const double width = fourths / cubes / smallest;
-    const double force = with_elastic_law(scene.contact, [&](const auto& law) {
+    const double force = with_elastic_law(material, [&](const auto& law) {
         return law.force(reference_overlap * smallest, smallest, smallest);
     });
     return force / (smallest * smallest) * std::min(1.0, reference_width / width);
 }
-
-bool is_isotropic(const Mat3& pressure) {
-    return pressure == Mat3(Mat3::Identity() * pressure(0, 0));
-}
-
-}  // namespace
 
 QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& state) {
     const ProtocolSettings& protocol = scene.protocol;
@@ -57,9 +57,12 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
     settings.ladder = protocol.ladder;
     settings.stop = scene.stop;
     settings.applied_pressure = protocol.pressure.trace() / 3.0;
-    const double chosen = protocol.ladder.compaction_pressure.value_or(
-        first_pressure(scene, diameters_by_id(state.particles)));
-    settings.first_pressure = std::max(chosen, settings.applied_pressure);
+    const double automatic =
+        automatic_compaction_pressure(scene.contact, diameters_by_id(state.particles));
+    settings.first_pressure = std::max(protocol.ladder.compaction_pressure.value_or(automatic),
+                                       settings.applied_pressure);
+    settings.climbed_pressure =
+        std::min(std::max(automatic, settings.first_pressure), climb * settings.applied_pressure);
 
     Scene compaction = scene;
     compaction.protocol.masses = Masses::diameter;
@@ -195,9 +198,9 @@ void QuasistaticRun::finish() {
                error_of_pressure() <= settings_.stop.pressure;
     if (near) state_.quasistatic.next_trial = state_.step + steps_between_trials;
     if (at_rest_ || steps < patience * settings_.ladder.most_steps) return;
-    if (settings_.first_pressure <= settings_.applied_pressure) return;
+    if (settings_.climbed_pressure <= settings_.applied_pressure) return;
     ++state_.quasistatic.retreats;
-    begin_rung(std::min(settings_.first_pressure, climb * settings_.applied_pressure));
+    begin_rung(settings_.climbed_pressure);
 }
 
 void QuasistaticRun::try_newton() {

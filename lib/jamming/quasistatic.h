@@ -22,13 +22,17 @@ struct QuasistaticSettings {
     LadderSettings ladder;
     StopSettings stop;
     double first_pressure = 0.0;    ///< mean pressure of the first rung
+    double climbed_pressure = 0.0;  ///< from where the ladder is gone down again
     double applied_pressure = 0.0;  ///< mean pressure of the last
     bool newton_serves = false;     ///< isotropic pressure, cell free in all components
 };
 
-/// The ladder begins at the pressure that overlaps equal spheres by 1e-3 of the smallest diameter,
-/// or less where sizes are wide, so that small spheres between large ones are not squeezed flat: at
-/// 5 D_min / D_V of it, D_V the mean diameter by volume; never below the applied pressure.
+/// Where the ladder begins unless a scene says so: at the pressure that overlaps equal spheres by
+/// 1e-3 of the smallest diameter, or less where sizes are wide, so that small spheres between large
+/// ones are not squeezed flat: at 5 D_min / D_V of it, D_V the mean diameter by volume.
+double automatic_compaction_pressure(const Material& material, std::span<const double> diameters);
+
+/// The ladder never begins below the applied pressure.
 QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& state);
 
 /// A run by this protocol, one step at a time. All that decides how it goes on is in the state.

@@ -52,6 +52,13 @@ enum class Masses : std::uint8_t {
     equal,      ///< all the same
 };
 
+/// Points on the measured front of speed against accuracy (docs/accuracy.md).
+enum class Accuracy : std::uint8_t {
+    fast,      ///< phi and the rattlers; not isostatic at low pressure
+    standard,  ///< a stable, isostatic packing
+    paper,     ///< the same, after a longer and closer ladder
+};
+
 /// Of the quasi-static protocol: what may be traded against accuracy.
 struct LadderSettings {
     /// Where the ladder begins; nothing: chosen from law and sizes (quasistatic.h).
@@ -64,6 +71,7 @@ struct LadderSettings {
 
 struct ProtocolSettings {
     ProtocolKind kind = ProtocolKind::quasistatic;
+    Accuracy accuracy = Accuracy::standard;   ///< see take_defaults_of
     Mat3 pressure = Mat3::Identity() * 1e-6;  ///< applied; symmetric; stiffness/length (hooke)
     FreeCell free_cell = FreeCell::all;
     /// In tau = sqrt(M_min / k), M_min the true mass of the smallest particle; nothing: chosen from
@@ -80,6 +88,7 @@ struct ProtocolSettings {
 struct StopSettings {
     double pressure = 1e-4;  ///< largest |P_int - P_a| of the six components, over the mean of P_a
     double cundall = 1e-6;   ///< Cundall parameter C
+    bool stability = true;   ///< quasistatic: no contact missing to isostaticity, no unstable mode
     double kinetic_energy = 1e-13;         ///< a particle
     double volume_fraction_change = 1e-6;  ///< largest minus smallest phi within the window
     double coordination_change = 1e-3;     ///< largest minus smallest Z within the window
@@ -105,6 +114,9 @@ struct Scene {
     StopSettings stop;
     RunSettings run;
 };
+
+/// Sets the ladder and the criteria of rest to what belongs to scene.protocol.accuracy.
+void take_defaults_of_accuracy(Scene& scene);
 
 /// Number of particles that the settings ask for. Throws InputError as particle_count.
 Count particle_count(const SizesSettings& sizes);

@@ -178,10 +178,22 @@ static void check_pressure(Reading& reading) {
             "\"orthogonal\" or \"all\"");
 }
 
+constexpr std::string_view accuracy_key = "protocol.accuracy";
+
+/// Before all other keys, which it gives their defaults.
+static void read_accuracy(Reading& reading) {
+    const SceneEntry* entry = reading.source.find(accuracy_key);
+    if (!entry) return;
+    read_entry(*entry, reading);
+    take_defaults_of_accuracy(reading.draft.scene);
+}
+
 Scene scene_from(SceneEntries entries) {
     Reading reading;
     reading.source = std::move(entries);
-    for (const SceneEntry& entry : reading.source.entries) read_entry(entry, reading);
+    read_accuracy(reading);
+    for (const SceneEntry& entry : reading.source.entries)
+        if (entry.name != accuracy_key) read_entry(entry, reading);
     resolve_path("sizes.file", reading.draft.sizes.file, reading);
     resolve_path("start.packing", reading.draft.scene.start.packing, reading);
     if (reading.has("start.packing"))

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 namespace jam {
@@ -122,6 +123,8 @@ static std::vector<SceneKey> protocol_keys() {
     using Protocol = ProtocolSettings;
     const Choice<ProtocolKind> kinds{
         {{"quasistatic", ProtocolKind::quasistatic}, {"nph", ProtocolKind::nph}}};
+    const Choice<Accuracy> accuracies{
+        {{"fast", Accuracy::fast}, {"standard", Accuracy::standard}, {"paper", Accuracy::paper}}};
     const Choice<FreeCell> cells{{{"all", FreeCell::all},
                                   {"orthogonal", FreeCell::orthogonal},
                                   {"isotropic", FreeCell::isotropic}}};
@@ -129,6 +132,8 @@ static std::vector<SceneKey> protocol_keys() {
         {{"true", Masses::true_mass}, {"diameter", Masses::diameter}, {"equal", Masses::equal}}};
     return {
         {"protocol.kind", "", "the way to the jammed state", in(kinds, &Protocol::kind)},
+        {"protocol.accuracy", "", "quasistatic: sets the keys that say so to a measured point",
+         in(accuracies, &Protocol::accuracy)},
         {"protocol.pressure", "k/D_min; hertz: k", "applied pressure",
          in(PressureTensor{}, &Protocol::pressure)},
         {"protocol.free_cell", "", "what of the cell may change", in(cells, &Protocol::free_cell)},
@@ -172,6 +177,9 @@ static std::vector<SceneKey> stop_keys() {
         {"stop.pressure", "", "largest error of the six pressures over the mean applied one",
          in(above(0, 1), &Stop::pressure)},
         {"stop.cundall", "", "Cundall parameter C", in(above(0, 1), &Stop::cundall)},
+        {"stop.stability", "",
+         "quasistatic: whether missing contacts and unstable modes are refused",
+         in(YesNo{}, &Stop::stability)},
         {"stop.kinetic_energy", "energy", "nph: kinetic energy a particle",
          in(above(0), &Stop::kinetic_energy)},
         {"stop.volume_fraction_change", "", "nph: change of the volume fraction over the window",
@@ -217,13 +225,25 @@ static std::vector<SceneKey> run_keys() {
     };
 }
 
+static bool differs_by_accuracy(const SceneKey& key) {
+    if (key.name == "protocol.accuracy") return false;
+    return std::ranges::any_of(std::array{Accuracy::fast, Accuracy::paper}, [&](Accuracy accuracy) {
+        SceneDraft draft;
+        draft.scene.protocol.accuracy = accuracy;
+        take_defaults_of_accuracy(draft.scene);
+        return key.field.get(draft) != key.field.get(SceneDraft{});
+    });
+}
+
 static std::vector<SceneKey> all_keys() {
     std::vector<SceneKey> keys;
     for (auto table :
          {sizes_keys, contact_keys, start_keys, protocol_keys, ladder_keys, stop_keys, run_keys})
         std::ranges::move(table(), std::back_inserter(keys));
-    for (SceneKey& one : keys)
+    for (SceneKey& one : keys) {
         if (one.example.index() == 0) one.example = *one.field.get(SceneDraft{});
+        one.by_accuracy = differs_by_accuracy(one);
+    }
     return keys;
 }
 

@@ -35,6 +35,7 @@ struct SceneKey {
     SceneField field;
     std::string no_value = {};  ///< what holds where the key is not given and has no default value
     SceneValue example = {};    ///< keeps the rule; the default where there is one
+    bool by_accuracy = false;   ///< protocol.accuracy gives its default
 };
 
 /// In the order in which a scene is written: table by table.

@@ -58,6 +58,11 @@ std::optional<double> Real::read(const SceneValue& value) const {
     return inside ? number : std::nullopt;  // NaN is not inside
 }
 
+std::optional<bool> YesNo::read(const SceneValue& value) const {
+    const auto* given = std::get_if<bool>(&value);
+    return given ? std::optional(*given) : std::nullopt;
+}
+
 std::string Whole::text() const {
     if (most == std::numeric_limits<Count>::max())
         return fmt::format("a whole number, at least {}", least);

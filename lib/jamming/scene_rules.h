@@ -45,6 +45,12 @@ inline Real from(double least, double most = 1e12) {
     return {least, most, true};
 }
 
+struct YesNo {
+    std::string text() const { return "true or false"; }
+    std::optional<bool> read(const SceneValue& value) const;
+    std::optional<SceneValue> write(bool truth) const { return truth; }
+};
+
 /// A whole number within an interval; 1e6 is one, too.
 struct Whole {
     Count least;

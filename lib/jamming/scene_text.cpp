@@ -95,8 +95,9 @@ static std::string comment(const SceneKey& key) {
 
 static std::string template_line(const SceneKey& key, const std::string& value) {
     const std::string line =
-        value.empty() ? fmt::format("# {} = {}", name_in_table(key), toml_text(key.example))
-                      : fmt::format("{} = {}", name_in_table(key), value);
+        value.empty() || key.by_accuracy
+            ? fmt::format("# {} = {}", name_in_table(key), toml_text(key.example))
+            : fmt::format("{} = {}", name_in_table(key), value);
     return fmt::format("{:<32}# {}\n", line, comment(key));
 }
 
@@ -132,7 +133,7 @@ std::string scene_template(std::string_view sizes_kind) {
 
 static std::string default_of(const SceneKey& key) {
     if (!key.no_value.empty()) return key.no_value;
-    return fmt::format("`{}`", toml_text(key.example));
+    return fmt::format("`{}`{}", toml_text(key.example), key.by_accuracy ? "; by accuracy" : "");
 }
 
 static std::string in_code(const std::vector<std::string>& names) {

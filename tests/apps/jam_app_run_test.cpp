@@ -46,6 +46,21 @@ class JamAppRun : public testing::Test {
     test::ScratchFolder folder_;
 };
 
+TEST_F(JamAppRun, RejamWithoutRattlersSaysWhatHasChanged) {
+    ASSERT_EQ(run("jammed").status, 0);
+    const std::string packing = out("jammed") + "/packing.h5";
+    const ProgramRun again = test::run_program(
+        WIDEJAM_JAM_APP, {"rejam", packing, "--without-rattlers", "--out", out("again")});
+    ASSERT_EQ(again.status, 0) << again.out << again.err;
+    EXPECT_NE(again.out.find("coordination_nr"), std::string::npos) << again.out;
+    const Packing backbone = load_packing(fs::path(out("again")) / "packing.h5");
+    EXPECT_LT(backbone.size(), 250);
+    EXPECT_GT(backbone.size(), 150);
+    // A second one into the same folder would overwrite the first.
+    EXPECT_EQ(test::run_program(WIDEJAM_JAM_APP, {"rejam", packing, "--out", out("again")}).status,
+              2);
+}
+
 TEST_F(JamAppRun, ConvergesAndLeavesWhatItPromises) {
     const ProgramRun jammed = run("jammed");
     ASSERT_EQ(jammed.status, 0) << jammed.out << jammed.err;

@@ -2,6 +2,7 @@
 // What a handoff says; that LAMMPS takes it so is tested with LAMMPS itself (tests/interop).
 #include "handoff/handoff.h"
 
+#include "jamming/rejam.h"
 #include "jamming/scene_file.h"
 #include "packing/packing_file.h"
 #include "packing/packing_io.h"

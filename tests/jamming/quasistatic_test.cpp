@@ -50,6 +50,19 @@ TEST(Quasistatic, ComesToRestAtTheAppliedPressureAndStands) {
     EXPECT_EQ(now.kinetic_energy_per_particle, 0.0);
 }
 
+TEST(Quasistatic, FastEndsSoonerWithoutAWordOnStability) {
+    Scene scene = small_scene(250);
+    JamState state = start_state(scene);
+    const Count standard = (jam_packing(scene, state), state.step);
+    scene.protocol.accuracy = Accuracy::fast;
+    take_defaults_of_accuracy(scene);
+    state = start_state(scene);
+    const JamResult result = jam_packing(scene, state);
+    ASSERT_EQ(result.outcome, JamOutcome::converged) << to_text(result.verdict);
+    EXPECT_EQ(result.verdict.criteria.size(), 2u);
+    EXPECT_LT(state.step, standard);
+}
+
 TEST(Quasistatic, SameBitsForAnyThreadCount) {
     const auto bits_with = [](int threads) {
         Scene scene = small_scene(3000);

@@ -142,6 +142,8 @@ const std::map<std::string, KeyCase>& cases() {
         {"start.packing",
          {"[start]\n", {"\"packing.h5\""}, {"\"\"", "\"missing.h5\"", "1", "\".\""}}},
         {"protocol.kind", {protocol, {"\"quasistatic\"", "\"nph\""}, {"\"npt\"", "\"\"", "3"}}},
+        {"protocol.accuracy",
+         {protocol, {"\"fast\"", "\"standard\"", "\"paper\""}, {"\"exact\"", "1", "true"}}},
         {"protocol.pressure",
          {protocol,
           {"1e-6", "1e-9", "0.1", "1", "[1e-6, 2e-6, 3e-6, 0, 0, 0]",
@@ -166,6 +168,7 @@ const std::map<std::string, KeyCase>& cases() {
         {"protocol.rung_steps", {protocol, {"1", "40000"}, {"0", "-1", "1.5"}}},
         {"stop.pressure", {stop, {"1e-4", "1"}, no_positive_number}},
         {"stop.cundall", {stop, {"1e-6", "1e-12"}, no_positive_number}},
+        {"stop.stability", {stop, {"true", "false"}, {"1", "\"yes\"", "0.5"}}},
         {"stop.kinetic_energy", {stop, {"1e-13", "1e-20"}, no_positive_number}},
         {"stop.volume_fraction_change", {stop, {"1e-8"}, no_positive_number}},
         {"stop.coordination_change", {stop, {"1e-3"}, no_positive_number}},
@@ -193,6 +196,24 @@ TEST_F(SceneFileTest, TheCasesCoverEveryKey) {
     for (const auto& [name, one] : cases()) tested.insert(name);
     for (const SceneKey& key : scene_keys()) known.insert(key.name);
     EXPECT_EQ(tested, known);
+}
+
+TEST_F(SceneFileTest, AccuracyGivesDefaultsThatOtherKeysOverruleInAnyOrder) {
+    const std::string sizes = "[sizes]\nkind = \"monodisperse\"\ncount = 10\n";
+    const auto scene = [&](const std::string& lines) {
+        return parse_scene(sizes + "[protocol]\n" + lines, "scene.toml");
+    };
+    const Scene standard = scene("");
+    const Scene fast = scene("rung_cundall = 2e-4\naccuracy = \"fast\"\n");
+    EXPECT_GT(fast.protocol.ladder.pressure_ratio, standard.protocol.ladder.pressure_ratio);
+    EXPECT_EQ(fast.protocol.ladder.cundall, 2e-4);
+    EXPECT_GT(fast.stop.cundall, standard.stop.cundall);
+    EXPECT_FALSE(fast.stop.stability);
+    EXPECT_TRUE(standard.stop.stability);
+    EXPECT_LT(scene("accuracy = \"paper\"\n").protocol.ladder.cundall,
+              standard.protocol.ladder.cundall);
+    const Scene again = parse_scene(scene_text(fast), "scene.toml");
+    EXPECT_EQ(scene_text(again), scene_text(fast));
 }
 
 TEST_F(SceneFileTest, GoodValuesAreTaken) {
@@ -225,7 +246,7 @@ TEST_F(SceneFileTest, BadValuesAreAnsweredWithPlaceKeyValueRuleAndRemedy) {
 TEST_F(SceneFileTest, BadValuesNameTheRuleOfTheKey) {
     for (const SceneKey& key : scene_keys()) {
         const KeyCase& one = cases().at(key.name);
-        const std::string text = one.rest + last_part(key.name) + " = true\n";
+        const std::string text = one.rest + last_part(key.name) + " = [true]\n";
         EXPECT_THAT(message_of(text), HasSubstr("must be " + key.field.rule)) << key.name;
         EXPECT_THAT(message_of(text),
                     HasSubstr("write for example " + key.name + " = " + toml_text(key.example)));

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Going on from a saved packing: with its own scene, or without its rattlers.
+#pragma once
+
+#include "jamming/scene.h"
+#include "packing/packing.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace jam {
+
+/// The scene that goes on from a saved packing: with contact, pressure, protocol and criteria of
+/// the scene that is in its file. Where there is none, contact and pressure are the packing's and
+/// the rest is by default. Overrides as for read_scene. Throws InputError and FileError.
+Scene scene_from_packing(const std::filesystem::path& packing,
+                         std::span<const std::string> overrides = {});
+
+/// The same packing without its rattlers (fewer than three contacts, found again until none is
+/// left); everything else stands, ids included. Throws InputError if all are rattlers.
+Packing without_rattlers(const Packing& packing);
+
+/// Lets the quasi-static ladder begin at its foot: what is jammed at the scene's pressure converges
+/// again where it stands.
+void begin_at_applied_pressure(Scene& scene);
+
+}  // namespace jam

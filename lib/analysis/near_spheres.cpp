@@ -2,6 +2,7 @@
 #include "analysis/near_spheres.h"
 
 #include "core/check.h"
+#include "core/particle_limit.h"
 #include "grids/grid_hierarchy.h"
 #include "neighbors/find_neighbors.h"
 
@@ -11,9 +12,9 @@
 namespace jam {
 
 WrappedSpheres wrap_spheres(const Packing& packing) {
-    require(packing.size() <= Count{Neighbor::index_mask},
+    require(packing.size() <= max_particle_count,
             "packing: {} particles; at most {} can be analysed", packing.size(),
-            Neighbor::index_mask);
+            max_particle_count);
     const PeriodicCell cell = packing.cell.reduced().cell;
     WrappedSpheres result{cell, std::vector<Sphere>(packing.positions.size())};
     for_each_block(packing.size(), 4096, [&](Count, Count begin, Count end) {

@@ -2,6 +2,7 @@
 #include "grids/grid_hierarchy.h"
 
 #include "core/check.h"
+#include "core/particle_limit.h"
 
 #include <algorithm>
 #include <numeric>
@@ -42,8 +43,9 @@ GridHierarchy::GridHierarchy(SizeCollections collections) : collections_(std::mo
         grid.largest_diameter = collections_.upper[at];
     }
     const auto count = static_cast<std::size_t>(collections_.begin.back());
-    require(collections_.begin.back() <= (Index{1} << 27) - 1,
-            "particles: {} of them; at most 134217727 fit one machine's neighbor list", count);
+    require(collections_.begin.back() <= max_particle_count,
+            "particles: {} of them; at most {} fit one machine's neighbor list", count,
+            max_particle_count);
     for (auto* column : {&local_.x, &local_.y, &local_.z, &local_.reach})
         column->resize(count + 16);  // whole vectors may be read past the end
     bin_of_particle_.resize(count);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbors/neighbor_list.h"
 
-#include "sizes/particle_count.h"
+#include "core/particle_limit.h"
 
 namespace jam {
 

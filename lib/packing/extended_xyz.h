@@ -9,8 +9,9 @@
 namespace jam {
 
 /// Reads the last frame. The comment line must have Lattice="ax ay az bx by bz cx cy cz" (a along
-/// x, b in the plane of x and y) and Properties with pos:R:3 and radius:R:1 or diameter:R:1;
-/// id:I:1, velo:R:3 and the keys Time, Step and Origin are taken if there, all else is skipped.
+/// x, b in the plane of x and y) and Properties with pos:R:3 and radius:R:1 or diameter:R:1; pbc,
+/// if there, must be T T T. id:I:1, velo:R:3 and the keys Time, Step and Origin are taken if there,
+/// all else is skipped.
 /// Throws InputError (file, line, what was expected, remedy) and FileError.
 Packing read_extended_xyz(const std::filesystem::path& path);
 

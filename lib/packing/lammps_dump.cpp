@@ -150,11 +150,12 @@ Frame find_frame(LineReader& lines, Count wanted) {
         skip_rows(lines, *found);
         if (frames++ == wanted) return *found;
     }
-    if (!found || wanted != last_frame)
+    if (frames == 0) lines.fail("the file is empty; the first frame (ITEM: TIMESTEP) was expected");
+    if (wanted != last_frame)
         lines.fail(
             fmt::format("the file holds {} frames, frame {} (from 0) was asked for; choose "
                         "another",
-                        frames, wanted == last_frame ? 0 : wanted));
+                        frames, wanted));
     return *found;
 }
 

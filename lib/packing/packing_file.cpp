@@ -2,6 +2,7 @@
 #include "packing/packing_file.h"
 
 #include "core/check.h"
+#include "core/particle_limit.h"
 #include "core/version.h"
 #include "packing/hdf5_handles.h"
 #include "particles/particles.h"
@@ -16,8 +17,6 @@ using hdf5::Group;
 
 /// As arrays of the file see them: row by row, where Eigen's default is by columns.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-constexpr std::uint64_t largest_size = std::uint64_t{1} << 27;  // neighbor_list.h says why
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
@@ -163,11 +162,11 @@ void require_layout(const Group& root, const std::filesystem::path& path) {
 
 std::uint64_t read_size(const Group& all, const std::filesystem::path& path) {
     const hdf5::Shape shape = all.shape("diameter");
-    if (shape.size() != 1 || shape[0] == 0 || shape[0] > largest_size)
+    if (shape.size() != 1 || shape[0] == 0 || std::cmp_greater(shape[0], max_particle_count))
         throw FileError(
             fmt::format("{}: /particles/all/diameter: must be a list of 1 to {} "
                         "diameters; the file is damaged or was made by another program",
-                        path.string(), largest_size));
+                        path.string(), max_particle_count));
     return shape[0];
 }
 

@@ -108,6 +108,8 @@ std::vector<std::string> losses(const Packing& packing, const Format& format) {
 }  // namespace
 
 Packing read_packing(const fs::path& path) {
+    require(!fs::is_directory(path), "{}: is a folder; give the name of a file in it",
+            path.string());
     const Format* format = format_by_name(path);
     return need_format(path, format != nullptr ? format : format_by_content(path)).read(path);
 }

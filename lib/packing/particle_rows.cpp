@@ -3,6 +3,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "core/particle_limit.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,6 @@
 namespace jam {
 
 namespace {
-
-constexpr Count largest_count = Count{1} << 27;  // neighbor_list.h says why
 
 constexpr std::array<std::pair<std::string_view, Column>, 10> names = {{
     {"id", Column::id},
@@ -171,9 +170,9 @@ std::vector<double> numbers_of(const LineReader& lines, std::size_t count, std::
 
 Count sphere_count_of(const LineReader& lines, std::string_view word) {
     const std::optional<std::int64_t> count = parse_integer(word);
-    if (!count || *count < 1 || *count > largest_count)
+    if (!count || *count < 1 || *count > max_particle_count)
         lines.fail(fmt::format("'{}' is not a number of spheres; it must be 1 to {}", word,
-                               largest_count));
+                               max_particle_count));
     return *count;
 }
 

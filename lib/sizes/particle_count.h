@@ -2,12 +2,10 @@
 // How many particles a packing needs to show its distribution.
 #pragma once
 
+#include "core/particle_limit.h"
 #include "sizes/size_distribution.h"
 
 namespace jam {
-
-/// Neighbor lists keep a particle's place in 27 bits.
-inline constexpr Count max_particle_count = Count{1} << 27;
 
 /// Throws InputError naming "sizes.count" unless 1 <= count <= max_particle_count.
 void check_particle_count(Count count);

@@ -181,7 +181,7 @@ TEST(LammpsDump, SaysFileLineAndRemedy) {
     EXPECT_THAT(refusal("radius", "x"), HasSubstr("two columns hold x"));
     EXPECT_THAT(refusal("vx id z", "q id z"), HasSubstr("give all or none"));
     EXPECT_THAT(refusal("ITEM: TIMESTEP", "LAMMPS data"), HasSubstr("some.dump:1:"));
-    EXPECT_THAT(refusal_of_text(""), HasSubstr("holds 0 frames"));
+    EXPECT_THAT(refusal_of_text(""), HasSubstr("the file is empty"));
     EXPECT_THAT(refusal_of_text(std::string(3 << 20, 'x')), HasSubstr("longer than a line"));
 }
 

@@ -134,6 +134,7 @@ nlohmann::json as_json(const Options& options, const SceneCost& cost, Index part
             {"step_ns", cost.step_ns},
             {"step_cpu_ns", cost.step_cpu_ns},
             {"searches", cost.searches},
+            {"memory_bytes", most_memory_bytes()},
             {"hash", fmt::format("{:016x}", cost.hash)}};
 }
 

@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "report": "core sizes cell particles packing analysis",
     "jamming": "core sizes cell particles packing grids placement neighbors contacts analysis",
     "sweep": "core packing analysis report jamming",
-    "handoff": "core particles packing grids jamming",
+    "handoff": "core particles packing neighbors jamming",
 }
 TBB = re.compile(r"(oneapi/)?tbb[/.]")
 TBB_DOOR = ("core/parallel.h", "core/parallel.cpp")

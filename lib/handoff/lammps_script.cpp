@@ -2,7 +2,7 @@
 #include "handoff/lammps_script.h"
 
 #include "core/version.h"
-#include "grids/size_collections.h"
+#include "neighbors/verlet_lists.h"
 
 #include <fmt/format.h>
 
@@ -35,9 +35,9 @@ std::string pair_commands(const Material& material) {
 /// A neighbor list takes pairs up to the sum of radii plus this.
 constexpr double skin_in_smallest_diameters = 0.1;
 
-std::string neighbor_commands(const std::vector<double>& diameters) {
+std::string neighbor_commands(const std::vector<double>& diameters, const ListSettings& lists) {
     const double skin = skin_in_smallest_diameters * *std::ranges::min_element(diameters);
-    const std::vector<double> upper = geometric_collections(diameters).upper;
+    const std::vector<double> upper = list_collections(diameters, lists).upper;
     const std::string_view memory = "page 1000000 one 50000";
     if (upper.size() == 1)
         return fmt::format(
@@ -226,8 +226,8 @@ ${{read}}
 {}
 timestep        {}
 )in",
-        diameters.size(), version, neighbor_commands(diameters), tilt_command(task),
-        pair_commands(task.settings.material), task.settings.time_step);
+        diameters.size(), version, neighbor_commands(diameters, task.scene.run.lists),
+        tilt_command(task), pair_commands(task.settings.material), task.settings.time_step);
 }
 
 std::string lammps_run_script(const LammpsTask& task) {

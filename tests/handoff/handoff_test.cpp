@@ -4,12 +4,14 @@
 
 #include "jamming/rejam.h"
 #include "jamming/scene_file.h"
+#include "neighbors/verlet_lists.h"
 #include "packing/packing_file.h"
 #include "packing/packing_io.h"
 #include "support/example_packings.h"
 #include "support/refusals.h"
 #include "support/scratch_folder.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,11 +61,24 @@ TEST_F(Handoff, HoldsTheStartWithTheMassesOfTheScene) {
     EXPECT_NEAR(given[1], density, 1e-12 * density);
 }
 
-TEST_F(Handoff, UsesOurCollections) {
+/// What LAMMPS is told when the search has these collections.
+std::string interval_words(const ListSettings& lists) {
+    const std::vector<double> diameters = draw_diameters(parse_scene(power_law, "scene.toml"));
+    const std::vector<double> upper = list_collections(diameters, lists).upper;
+    return fmt::format("collection/interval {} {}\n", upper.size(), fmt::join(upper, " "));
+}
+
+TEST_F(Handoff, UsesTheCollectionsOfTheSearch) {
     hand_over(power_law);
     EXPECT_THAT(content("system.in"),
-                AllOf(HasSubstr("multi"), HasSubstr("collection/interval 2 "),
+                AllOf(HasSubstr("multi"), HasSubstr(interval_words({})),
                       HasSubstr("pair_style      gran/hooke 1 NULL 0.5 0.0 0.0 0 limit_damping")));
+}
+
+TEST_F(Handoff, UsesTheCollectionsThatTheSceneAsksFor) {
+    hand_over(power_law, {"run.collection_ratio=2"});
+    ASSERT_NE(interval_words({.collection_ratio = 2.0}), interval_words({}));
+    EXPECT_THAT(content("system.in"), HasSubstr(interval_words({.collection_ratio = 2.0})));
 }
 
 TEST_F(Handoff, HasOneGridForEqualSpheres) {

@@ -4,12 +4,12 @@
 #include "analysis/compare_packings.h"
 #include "analyze_app/comparison_text.h"
 #include "analyze_app/open_packing.h"
+#include "analyze_app/stage_line.h"
 #include "shared/program.h"
 
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <unistd.h>
 
 namespace jam::apps {
 
@@ -17,15 +17,14 @@ namespace {
 
 /// Packings are read one after the other: only their summaries stay in memory.
 std::vector<PackingSummary> summarize_all(const std::vector<std::string>& paths, int threshold) {
-    const bool show_progress = paths.size() > 1 && ::isatty(STDERR_FILENO) != 0;
+    const StageLine stage;
     std::vector<PackingSummary> summaries;
     for (const std::string& path : paths) {
-        if (show_progress)
-            fmt::print(stderr, "\r{} of {} packings", summaries.size() + 1, paths.size());
+        stage.show(fmt::format("{} of {}: {}", summaries.size() + 1, paths.size(), path));
         const Packing packing = open_packing(path);
-        summaries.push_back(summarize(packing, find_force_network(packing, threshold)));
+        summaries.push_back(naming(
+            path, [&] { return summarize(packing, find_force_network(packing, threshold)); }));
     }
-    if (show_progress) fmt::print(stderr, "\n");
     return summaries;
 }
 

@@ -3,11 +3,13 @@
 
 #include "analysis/force_network.h"
 #include "analyze_app/open_packing.h"
+#include "analyze_app/stage_line.h"
 #include "core/check.h"
 #include "report/png_file.h"
 #include "shared/program.h"
 
 #include <charconv>
+#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -114,10 +116,19 @@ CLI::App* add_picture_command(CLI::App& program, PictureOptions& options) {
 }
 
 int write_picture(const PictureOptions& options) {
+    require(std::filesystem::path(options.output).extension() == ".png",
+            "--output {}: a picture is a PNG file; its name must end in .png", options.output);
     const PictureSettings settings = settings_from(options);
+    const StageLine stage;
+    stage.show("reading " + options.packing);
     const Packing packing = open_packing(options.packing);
-    const Appearance appearance = appearance_of(packing, options);
-    write_png(render_picture(packing, appearance, settings), options.output);
+    const Bitmap bitmap = naming(options.packing, [&] {
+        stage.show("colors");
+        const Appearance appearance = appearance_of(packing, options);
+        stage.show("rays");
+        return render_picture(packing, appearance, settings);
+    });
+    write_png(bitmap, options.output);
     return exit_good;
 }
 

@@ -2,6 +2,7 @@
 #include "analyze_app/report_command.h"
 
 #include "analyze_app/open_packing.h"
+#include "analyze_app/stage_line.h"
 #include "core/check.h"
 #include "jamming/scene_file.h"
 #include "report/run_history.h"
@@ -51,9 +52,15 @@ Table history_beside(const fs::path& packing) {
 }
 
 WrittenReport report_of_one(const fs::path& file, const ReportOptions& options) {
+    const StageLine stage;
+    ReportSettings settings = options.settings;
+    settings.on_stage = [&stage](std::string_view words) { stage.show(words); };
+    stage.show("reading " + file.string());
     const Packing packing = open_packing(file);
-    return write_packing_report(packing, name_of_packing(file), sizes_of(packing),
-                                history_beside(file), options.output, options.settings);
+    return naming(file, [&] {
+        return write_packing_report(packing, name_of_packing(file), sizes_of(packing),
+                                    history_beside(file), options.output, settings);
+    });
 }
 
 WrittenReport report_of_many(const std::vector<fs::path>& files, const ReportOptions& options) {
@@ -61,7 +68,8 @@ WrittenReport report_of_many(const std::vector<fs::path>& files, const ReportOpt
     for (std::size_t i = 0; i < files.size(); ++i) {
         fmt::print(stderr, "{}/{} {}\n", i + 1, files.size(), files[i].string());
         const Packing packing = open_packing(files[i]);
-        collection.add(packing, name_of_packing(files[i]), sizes_of(packing));
+        naming(files[i],
+               [&] { collection.add(packing, name_of_packing(files[i]), sizes_of(packing)); });
     }
     return collection.write(options.output);
 }
@@ -92,6 +100,7 @@ CLI::App* add_report_command(CLI::App& program, ReportOptions& options) {
                      "a particle with fewer contacts is a rattler")
         ->capture_default_str();
     command->add_option("--samples", options.settings.samples, "rays a pixel of the picture")
+        ->check(CLI::Range(1, 65536))
         ->capture_default_str();
     return command;
 }

@@ -3,6 +3,7 @@
 
 #include "analysis/packing_statistics.h"
 #include "analyze_app/open_packing.h"
+#include "analyze_app/stage_line.h"
 #include "analyze_app/statistics_text.h"
 #include "shared/program.h"
 
@@ -43,16 +44,27 @@ std::string table_text(const PackingStatistics& statistics,
     return elasticity ? table + elasticity_table(*elasticity) : table;
 }
 
+std::string stats_text(const StatsOptions& options) {
+    const StageLine stage;
+    stage.show("reading " + options.packing);
+    const Packing packing = open_packing(options.packing);
+    return naming(options.packing, [&] {
+        stage.show("contacts");
+        const ForceNetwork network = find_force_network(packing, options.rattler_threshold);
+        stage.show("statistics");
+        const PackingStatistics statistics = packing_statistics(packing, network);
+        std::optional<Elasticity> elasticity;
+        stage.show("stability and stiffness");
+        if (options.elastic) elasticity = find_elasticity(packing, network);
+        return options.json ? json_text(statistics, elasticity)
+                            : table_text(statistics, elasticity, options.packing);
+    });
+}
+
 }  // namespace
 
 int print_stats(const StatsOptions& options) {
-    const Packing packing = open_packing(options.packing);
-    const ForceNetwork network = find_force_network(packing, options.rattler_threshold);
-    const PackingStatistics statistics = packing_statistics(packing, network);
-    std::optional<Elasticity> elasticity;
-    if (options.elastic) elasticity = find_elasticity(packing, network);
-    fmt::print("{}", options.json ? json_text(statistics, elasticity)
-                                  : table_text(statistics, elasticity, options.packing));
+    fmt::print("{}", stats_text(options));
     return exit_good;
 }
 

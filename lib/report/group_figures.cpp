@@ -45,7 +45,8 @@ std::string against_alpha(std::span<const PackingGroup> groups) {
 set xlabel "exponent α"
 set xrange [lowest_alpha - 0.05:highest_alpha + 0.05]
 n = words(size_ratios)
-# The rows of the i-th size ratio, and their values; error bars where there is more than one packing.
+# The rows of the i-th size ratio, and their values; one packing alone has no error.
+error_of(name) = column(name) > 0 ? column(name) : 0
 of(i, name) = column("size_ratio") == word(size_ratios, i) + 0 ? column(name) : NaN
 label_of(i) = "λ = ".word(size_ratios, i)
 )gnuplot";
@@ -146,7 +147,7 @@ do for [format in "svg png"] {
     set arrow 1 from 0.53, graph 0 to 0.53, graph 1 nohead linecolor rgb quiet linewidth 0.8 dashtype 2
     plot for [i = 1:n] "rod_model.csv" using "alpha":(of(i, "volume_fraction")) with lines smooth csplines \
          linewidth 1.1 linecolor rgb curve_color(i, n) notitle, \
-         for [i = 1:n] data using "alpha":(of(i, "volume_fraction")):"volume_fraction_error" \
+         for [i = 1:n] data using "alpha":(of(i, "volume_fraction")):(error_of("volume_fraction_error")) \
          with yerrorbars pointtype 7 pointsize 0.1 linewidth 1.2 linecolor rgb curve_color(i, n) notitle, \
          for [i = 1:n] data using "alpha":(of(i, "volume_fraction")) with points pointtype 7 pointsize 0.9 \
          linecolor rgb curve_color(i, n) title label_of(i)
@@ -169,7 +170,7 @@ Figure coordination_figure(std::span<const PackingGroup> groups) {
     set yrange [0:7]
     set key bottom left
     plot 6 linecolor rgb quiet linewidth 0.8 notitle, \
-         for [i = 1:n] data using "alpha":(of(i, "coordination")):"coordination_error" with yerrorbars \
+         for [i = 1:n] data using "alpha":(of(i, "coordination")):(error_of("coordination_error")) with yerrorbars \
          pointtype 7 pointsize 0.1 linewidth 1.1 linecolor rgb curve_color(i, n) notitle, \
          for [i = 1:n] data using "alpha":(of(i, "coordination")) with linespoints pointtype 7 pointsize 0.9 \
          linewidth 1.1 linecolor rgb curve_color(i, n) title label_of(i), \
@@ -178,7 +179,7 @@ Figure coordination_figure(std::span<const PackingGroup> groups) {
     set ylabel "fraction of rattlers f_r"
     set yrange [0:1]
     set key top left
-    plot for [i = 1:n] data using "alpha":(of(i, "rattler_fraction")):"rattler_fraction_error" with yerrorbars \
+    plot for [i = 1:n] data using "alpha":(of(i, "rattler_fraction")):(error_of("rattler_fraction_error")) with yerrorbars \
          pointtype 7 pointsize 0.1 linewidth 1.1 linecolor rgb curve_color(i, n) notitle, \
          for [i = 1:n] data using "alpha":(of(i, "rattler_fraction")) with linespoints pointtype 7 pointsize 0.9 \
          linewidth 1.1 linecolor rgb curve_color(i, n) title label_of(i)
@@ -200,7 +201,7 @@ set key outside right top
 do for [format in "svg png"] {
     eval(canvas("backbone_volume_fraction", format, 720, 460))
     plot 0.629 linecolor rgb quiet linewidth 0.8 notitle, \
-         for [i = 1:n] data using "alpha":(of(i, "volume_fraction_nr")):"volume_fraction_nr_error" \
+         for [i = 1:n] data using "alpha":(of(i, "volume_fraction_nr")):(error_of("volume_fraction_nr_error")) \
          with yerrorbars pointtype 7 pointsize 0.1 linewidth 1.2 linecolor rgb curve_color(i, n) notitle, \
          for [i = 1:n] data using "alpha":(of(i, "volume_fraction_nr")) with linespoints pointtype 7 pointsize 0.9 \
          linewidth 1.1 linecolor rgb curve_color(i, n) title label_of(i)
@@ -233,11 +234,11 @@ set logscale x
 eval(round_tics("x"))
 set yrange [0:1.05]
 set ytics 0.2
-set key top right
+set key at screen 0.995, screen (rows > 1 ? 0.95 : 0.9) right top
 of(i, a, name) = column("size_ratio") == word(size_ratios, i) + 0 && column("alpha") == word(alphas, a) + 0 ? column(name) : NaN
 do for [format in "svg png"] {
-    eval(canvas("backbone_larger_by_size_ratio", format, columns == 1 ? 640 : columns == 2 ? 800 : 960, 60 + 280*rows))
-    set multiplot layout rows,columns margins columns > 1 ? 0.085 : 0.13,0.98,rows > 1 ? 0.115 : 0.20,rows > 1 ? 0.95 : 0.9 spacing 0.06,0.14
+    eval(canvas("backbone_larger_by_size_ratio", format, columns == 1 ? 640 : columns == 2 ? 860 : 1060, 60 + 280*rows))
+    set multiplot layout rows,columns margins columns > 1 ? 0.08 : 0.13,columns == 1 ? 0.80 : columns == 2 ? 0.85 : 0.88,rows > 1 ? 0.115 : 0.20,rows > 1 ? 0.95 : 0.9 spacing 0.06,0.14
     do for [a = 1:panels] {
         set title "α = ".word(alphas, a) offset 0,-0.6
         set xlabel (a > panels - columns ? "D / D_{max}" : "")
@@ -268,7 +269,7 @@ set key outside right top
 do for [format in "svg png"] {
     eval(canvas("onset", format, 720, 420))
     plot for [i = 1:n] 1.0/word(size_ratios, i) linecolor rgb curve_color(i, n) linewidth 0.6 notitle, \
-         for [i = 1:n] data using "alpha":(of(i, "onset")):"onset_error" with yerrorbars pointtype 7 \
+         for [i = 1:n] data using "alpha":(of(i, "onset")):(error_of("onset_error")) with yerrorbars pointtype 7 \
          pointsize 0.1 linewidth 1.2 linecolor rgb curve_color(i, n) notitle, \
          for [i = 1:n] data using "alpha":(of(i, "onset")) with linespoints pointtype 7 pointsize 0.9 \
          linewidth 1.1 linecolor rgb curve_color(i, n) title label_of(i)

@@ -148,6 +148,10 @@ std::string numbers_section(const Measurements& m) {
     add("Overlaps over the smaller diameter",
         fmt::format("mean {}, largest {}", short_number(s.mean_overlap),
                     short_number(s.largest_overlap)));
+    if (m.elasticity && m.elasticity->stability.stable)
+        add("Stiffness", fmt::format("bulk modulus {}, shear modulus {} (mean of all orientations)",
+                                     short_number(m.elasticity->moduli.bulk),
+                                     short_number(m.elasticity->moduli.shear)));
     add("Kinetic energy a particle", short_number(s.kinetic_energy_per_particle));
     add("Cell edges", vector_words(s.cell.row(0)) + "<br>" + vector_words(s.cell.row(1)) + "<br>" +
                           vector_words(s.cell.row(2)));
@@ -199,17 +203,25 @@ std::string gallery(std::span<const PageImage> pictures) {
     return text + "</section>\n";
 }
 
-std::string packings_section(std::span<const NamedMeasurements> packings) {
+std::vector<std::string> packing_row(const NamedMeasurements& packing) {
+    const PackingStatistics& s = packing.measurements.statistics;
+    const bool jammed = judge(packing.measurements).jammed();
+    return {escaped(packing.name),
+            escaped(packing.sizes.words),
+            grouped(s.particle_count),
+            fmt::format("{:.4f}", s.volume_fraction),
+            fmt::format("{:.3f}", s.coordination_nr),
+            short_number(s.cundall),
+            marked(jammed, jammed ? "jammed" : "not")};
+}
+
+/// In the order of the groups.
+std::string packings_section(std::span<const NamedMeasurements> packings,
+                             std::span<const PackingGroup> groups) {
     html::TableText content{
         {"Packing", "Sizes", "Particles", "φ", "Z<sub>nr</sub>", "C", "Verdict"}, {}};
-    for (const NamedMeasurements& packing : packings) {
-        const PackingStatistics& s = packing.measurements.statistics;
-        const JammingVerdict verdict = judge(packing.measurements);
-        content.rows.push_back({escaped(packing.name), escaped(packing.sizes.words),
-                                grouped(s.particle_count), fmt::format("{:.4f}", s.volume_fraction),
-                                fmt::format("{:.3f}", s.coordination_nr), short_number(s.cundall),
-                                marked(verdict.jammed(), verdict.jammed() ? "jammed" : "not")});
-    }
+    for (const PackingGroup& group : groups)
+        for (const int i : group.members) content.rows.push_back(packing_row(packings[i]));
     return "<h2>The packings</h2>\n" + html::table(content, "facts");
 }
 
@@ -240,7 +252,7 @@ std::string packings_page(std::span<const NamedMeasurements> packings,
                     jammed, packings.size());
     return html::page(title, header("Packing report", title, lead) + gallery(pictures) +
                                  groups_section(groups) + figures_section(figures) +
-                                 packings_section(packings));
+                                 packings_section(packings, groups));
 }
 
 }  // namespace jam

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace jam {
 
@@ -52,6 +53,16 @@ JammingCriterion at_rest(const PackingStatistics& s, double limit) {
         fmt::format("at most {}", short_number(limit)), s.kinetic_energy_per_particle <= limit};
 }
 
+/// Only where there is something to be stable.
+std::optional<JammingCriterion> stable(const std::optional<Elasticity>& elasticity) {
+    if (!elasticity || elasticity->particle_count == 0) return std::nullopt;
+    return JammingCriterion{
+        "Does it withstand any small push?",
+        fmt::format("smallest eigenvalue of the enthalpy’s second derivatives {}",
+                    short_number(elasticity->stability.smallest_eigenvalue)),
+        "above 0", elasticity->stability.stable};
+}
+
 }  // namespace
 
 bool JammingVerdict::jammed() const {
@@ -67,8 +78,10 @@ std::string JammingVerdict::sentence() const {
 
 JammingVerdict judge(const Measurements& m, const JammingLimits& limits) {
     const PackingStatistics& s = m.statistics;
-    return {{enough_contacts(s), balanced_forces(s, limits.cundall),
-             even_pressure(m, limits.pressure), at_rest(s, limits.kinetic_energy)}};
+    JammingVerdict verdict{{enough_contacts(s), balanced_forces(s, limits.cundall),
+                            even_pressure(m, limits.pressure), at_rest(s, limits.kinetic_energy)}};
+    if (const auto criterion = stable(m.elasticity)) verdict.criteria.push_back(*criterion);
+    return verdict;
 }
 
 }  // namespace jam

@@ -5,6 +5,7 @@
 #include "analysis/backbone_sizes.h"
 #include "analysis/contact_numbers.h"
 #include "analysis/contact_pair_sizes.h"
+#include "analysis/elasticity.h"
 #include "analysis/force_distribution.h"
 #include "analysis/gap_distribution.h"
 #include "analysis/measured_sizes.h"
@@ -35,6 +36,7 @@ struct Measurements {
     ForceDistribution forces;
     GapDistribution gaps;
     RadialDistribution radial;
+    std::optional<Elasticity> elasticity;  ///< where it was asked for
 
     /// Whether there are several sizes: figures over size say something only then.
     bool polydisperse() const { return statistics.size_ratio > 1.0 + 1e-9; }

@@ -24,7 +24,7 @@ std::string superscript(int power) {
 std::string grouped(Count number) {
     if (number < 0) return "−" + grouped(-number);
     if (number < 1000) return fmt::format("{}", number);
-    return fmt::format("{}\u2009{:03}", grouped(number / 1000), number % 1000);
+    return fmt::format("{}\u202f{:03}", grouped(number / 1000), number % 1000);
 }
 
 std::string short_number(double number) {
@@ -39,7 +39,7 @@ std::string short_number(double number) {
     while (factor.back() == '0') factor.pop_back();
     if (factor.back() == '.') factor.pop_back();
     const std::string power = "10" + superscript(std::stoi(text.substr(e + 1)));
-    return factor == "1" ? power : factor + " × " + power;
+    return factor == "1" ? power : factor + "\u00a0×\u00a0" + power;
 }
 
 std::string with_error(double value, double error) {

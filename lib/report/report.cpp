@@ -23,9 +23,9 @@ std::string text_of(const std::filesystem::path& path) {
     return text.str();
 }
 
-NamedMeasurements measured(const Packing& packing, const std::string& name,
-                           const std::optional<SizeDistribution>& sizes, int rattler_threshold) {
-    Measurements m = measure(packing, find_force_network(packing, rattler_threshold));
+NamedMeasurements measured(const Packing& packing, const ForceNetwork& network,
+                           const std::string& name, const std::optional<SizeDistribution>& sizes) {
+    Measurements m = measure(packing, network);
     SizesName sizes_name = sizes ? name_of(*sizes) : name_of(m);
     return {name, std::move(sizes_name), std::move(m)};
 }
@@ -59,17 +59,29 @@ WrittenReport write_page(const std::string& page, const std::filesystem::path& f
     return {path, std::move(drawing)};
 }
 
+void tell(const ReportSettings& settings, std::string_view stage) {
+    if (settings.on_stage) settings.on_stage(stage);
+}
+
 }  // namespace
 
 WrittenReport write_packing_report(const Packing& packing, const std::string& name,
                                    const std::optional<SizeDistribution>& sizes,
                                    const Table& history, const std::filesystem::path& folder,
                                    const ReportSettings& settings) {
-    const NamedMeasurements all = measured(packing, name, sizes, settings.rattler_threshold);
+    tell(settings, "contacts and statistics");
+    const ForceNetwork network = find_force_network(packing, settings.rattler_threshold);
+    NamedMeasurements all = measured(packing, network, name, sizes);
+    if (network.rattlers.backbone_count() <= settings.most_for_elasticity) {
+        tell(settings, "stability and stiffness");
+        all.measurements.elasticity = find_elasticity(packing, network);
+    }
+    tell(settings, "figures");
     std::vector<Figure> figures = packing_figures(all.measurements, history);
     remove_old_drawings(figures, folder);
     Drawing drawing;
     const std::vector<DrawnFigure> with_drawings = drawn(std::move(figures), folder, drawing);
+    tell(settings, "picture");
     const Bitmap bitmap = render_picture(
         packing, color_by_diameter(packing),
         {settings.picture_width, settings.picture_width * 3 / 4, settings.samples, true, {}});
@@ -81,7 +93,8 @@ WrittenReport write_packing_report(const Packing& packing, const std::string& na
 
 void PackingCollection::add(const Packing& packing, const std::string& name,
                             const std::optional<SizeDistribution>& sizes) {
-    packings_.push_back(measured(packing, name, sizes, settings_.rattler_threshold));
+    const ForceNetwork network = find_force_network(packing, settings_.rattler_threshold);
+    packings_.push_back(measured(packing, network, name, sizes));
     const std::string& words = packings_.back().sizes.words;
     if (std::ranges::count(pictures_, words, &PageImage::caption) != 0) return;
     const Bitmap bitmap = render_picture(
@@ -91,6 +104,7 @@ void PackingCollection::add(const Packing& packing, const std::string& name,
 }
 
 WrittenReport PackingCollection::write(const std::filesystem::path& folder) const {
+    tell(settings_, "averages and figures");
     const std::vector<PackingGroup> groups = group_packings(packings_);
     std::vector<PageImage> pictures;
     pictures.reserve(groups.size());

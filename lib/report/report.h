@@ -6,12 +6,18 @@
 #include "report/html_report.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string_view>
 
 namespace jam {
 
 struct ReportSettings {
+    std::function<void(std::string_view)> on_stage = {};  ///< told what comes next, or empty
     int rattler_threshold = default_rattler_threshold;
+    /// Of one packing with at most so many particles in the backbone stability and moduli are
+    /// found; time grows with the square of the number, to some five seconds.
+    Count most_for_elasticity = 4000;
     int picture_width = 1280;  ///< of the one picture; its height is three quarters of it
     int gallery_width = 420;   ///< of each of many
     int samples = 32;          ///< rays a pixel

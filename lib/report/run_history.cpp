@@ -16,7 +16,7 @@ namespace jam {
 namespace {
 
 using Json = nlohmann::json;
-using Row = std::array<double, 6>;
+using Row = std::array<double, 7>;
 
 double number(const Json& value) {
     return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
@@ -30,9 +30,13 @@ double third_of_trace(const Json& matrix) {
 Row row_from(const std::string& line, const std::filesystem::path& path, Count line_number) {
     try {
         const Json record = Json::parse(line);
-        return {number(record.at("time")),         number(record.at("volume_fraction")),
-                number(record.at("coordination")), number(record.at("coordination_nr")),
-                number(record.at("cundall")),      third_of_trace(record.at("pressure"))};
+        return {number(record.at("step")),
+                number(record.at("time")),
+                number(record.at("volume_fraction")),
+                number(record.at("coordination")),
+                number(record.at("coordination_nr")),
+                number(record.at("cundall")),
+                third_of_trace(record.at("pressure"))};
     } catch (const Json::exception& reason) {
         throw InputError(fmt::format("{}:{}: not a record of a run ({}); remove the line",
                                      path.string(), line_number, reason.what()));
@@ -62,8 +66,8 @@ Table read_run_history(const std::filesystem::path& path, Count rows) {
         if (!line.empty()) records.push_back(row_from(line, path, line_number));
     }
     Table table;
-    for (const char* name :
-         {"time", "volume_fraction", "coordination", "coordination_nr", "cundall", "pressure"})
+    for (const char* name : {"step", "time", "volume_fraction", "coordination", "coordination_nr",
+                             "cundall", "pressure"})
         table.columns.push_back({name, {}});
     for (const Row& row : thinned(records, rows))
         for (std::size_t c = 0; c < row.size(); ++c) table.columns[c].values.push_back(row[c]);

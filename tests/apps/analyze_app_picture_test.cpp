@@ -72,5 +72,13 @@ TEST(AnalyzePicture, SaysWhatIsWrongWithAnOption) {
     }
 }
 
+TEST(AnalyzePicture, WritesNoOtherKindOfFile) {
+    const ScratchFolder folder;
+    const ProgramRun run = picture(folder / "spheres.jpg", {});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.err, HasSubstr(".png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "spheres.jpg"));
+}
+
 }  // namespace
 }  // namespace jam

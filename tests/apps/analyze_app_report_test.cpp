@@ -132,6 +132,17 @@ TEST(AnalyzeReport, SaysWhatIsWrong) {
     }
 }
 
+TEST(AnalyzeReport, SaysWhichOfManyCannotBeMeasured) {
+    const ScratchFolder folder;
+    write_packing(face_centered_cubic(3, 1.41, 1.0), folder / "good.csv");
+    // Wider than its cell.
+    write_packing(make_packing(Mat3::Identity(), {Vec3(0.2, 0.2, 0.2)}, {1.1}), folder / "bad.csv");
+    const ProgramRun run = report({folder / "good.csv", folder / "bad.csv", "-o", folder / "out"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.err, HasSubstr("bad.csv: cell"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 /// Looks at every figure once the page stands, and leaves what it saw in the page.
 constexpr const char* onlooker = R"html(<script>
 addEventListener("load", () => {

@@ -28,12 +28,12 @@ Measurements measured(const Packing& packing) {
 
 Table run_of(int records) {
     Table history;
-    for (const char* name :
-         {"time", "volume_fraction", "coordination", "coordination_nr", "cundall", "pressure"})
+    for (const char* name : {"step", "time", "volume_fraction", "coordination", "coordination_nr",
+                             "cundall", "pressure"})
         history.columns.push_back({name, {}});
     for (int k = 0; k < records; ++k)
         for (std::size_t c = 0; c < history.columns.size(); ++c)
-            history.columns[c].values.push_back(c == 0 ? 1e4 * k : 0.7 + std::exp(-0.1 * k));
+            history.columns[c].values.push_back(c < 2 ? 1e4 * k : 0.7 + std::exp(-0.1 * k));
     return history;
 }
 

@@ -58,16 +58,16 @@ TEST(HtmlText, DrawingsKeepTheirNamesToThemselves) {
 
 TEST(NumberText, ThousandsApart) {
     EXPECT_EQ(grouped(7), "7");
-    EXPECT_EQ(grouped(1234567), "1\u2009234\u2009567");
-    EXPECT_EQ(grouped(-1005), "−1\u2009005");
+    EXPECT_EQ(grouped(1234567), "1\u202f234\u202f567");
+    EXPECT_EQ(grouped(-1005), "−1\u202f005");
 }
 
 TEST(NumberText, ThreeDigits) {
     EXPECT_EQ(short_number(0.0123456), "0.0123");
     EXPECT_EQ(short_number(12345.6), "12346");
-    EXPECT_EQ(short_number(4.567e-7), "4.57 × 10⁻⁷");
+    EXPECT_EQ(short_number(4.567e-7), "4.57\u00a0×\u00a010⁻⁷");
     EXPECT_EQ(short_number(-1e-6), "−10⁻⁶");
-    EXPECT_EQ(short_number(2e12), "2 × 10¹²");
+    EXPECT_EQ(short_number(2e12), "2\u00a0×\u00a010¹²");
     EXPECT_EQ(short_number(0.0), "0");
     EXPECT_EQ(short_number(std::nan("")), "–");
 }

@@ -43,6 +43,18 @@ TEST(JammingVerdict, EachCriterionCanFailAlone) {
     EXPECT_THAT(verdict_of(pushed).sentence(), HasSubstr("1 of 4 criteria does not hold"));
 }
 
+TEST(JammingVerdict, WhereStabilityIsKnownItCounts) {
+    const Packing crystal = face_centered_cubic(3, 1.41, 1.0);
+    const ForceNetwork network = find_force_network(crystal);
+    Measurements measurements = measure(crystal, network);
+    measurements.elasticity = find_elasticity(crystal, network);
+    ASSERT_EQ(judge(measurements).criteria.size(), 5u);
+    EXPECT_TRUE(judge(measurements).jammed());
+    measurements.elasticity->stability.stable = false;
+    EXPECT_FALSE(judge(measurements).jammed());
+    EXPECT_FALSE(judge(measurements).criteria.back().holds);
+}
+
 TEST(JammingVerdict, WithoutContactsNothingHoldsButRest) {
     const JammingVerdict verdict = verdict_of(face_centered_cubic(3, 1.6, 1.0));
     EXPECT_FALSE(verdict.jammed());

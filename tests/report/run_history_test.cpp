@@ -18,6 +18,7 @@ using testing::HasSubstr;
 
 Record record_at(double time) {
     Record record;
+    record.step = static_cast<Count>(100 * time);
     record.time = time;
     record.volume_fraction = 0.7;
     record.coordination_nr = 6.01;
@@ -31,12 +32,13 @@ TEST(RunHistory, ReadsWhatRunsWrite) {
     std::ofstream(folder / "record.jsonl") << json_line(record_at(1.0)) << "\n"
                                            << json_line(record_at(2.5)) << "\n";
     const Table history = read_run_history(folder / "record.jsonl");
-    ASSERT_EQ(history.columns.size(), 6u);
-    EXPECT_EQ(history.columns[0].values, (std::vector<double>{1.0, 2.5}));
-    EXPECT_EQ(history.columns[1].values, (std::vector<double>{0.7, 0.7}));
-    EXPECT_TRUE(std::isnan(history.columns[2].values[0]));
-    EXPECT_EQ(history.columns[3].values[1], 6.01);
-    EXPECT_DOUBLE_EQ(history.columns[5].values[0], 2e-3);
+    ASSERT_EQ(history.columns.size(), 7u);
+    EXPECT_EQ(history.columns[0].values, (std::vector<double>{100, 250}));
+    EXPECT_EQ(history.columns[1].values, (std::vector<double>{1.0, 2.5}));
+    EXPECT_EQ(history.columns[2].values, (std::vector<double>{0.7, 0.7}));
+    EXPECT_TRUE(std::isnan(history.columns[3].values[0]));
+    EXPECT_EQ(history.columns[4].values[1], 6.01);
+    EXPECT_DOUBLE_EQ(history.columns[6].values[0], 2e-3);
 }
 
 TEST(RunHistory, ThinsEvenlyAndKeepsBothEnds) {
@@ -45,7 +47,7 @@ TEST(RunHistory, ThinsEvenlyAndKeepsBothEnds) {
     for (int k = 0; k <= 1000; ++k) file << json_line(record_at(k)) << "\n";
     file.close();
     const std::vector<double> times =
-        read_run_history(folder / "record.jsonl", 11).columns[0].values;
+        read_run_history(folder / "record.jsonl", 11).columns[1].values;
     EXPECT_EQ(times, (std::vector<double>{0, 100, 200, 300, 400, 500, 600, 700, 800, 900, 1000}));
 }
 

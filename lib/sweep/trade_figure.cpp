@@ -41,28 +41,28 @@ Figure trade_figure(std::span<const TradePoint> points) {
             script_value("names", names_of(points)) + R"gnuplot(
 data = "points.csv"
 set datafile missing NaN
-label_of(i) = word(names, int(i) + 1)
+label_of(i, mark) = column(mark) > 0 ? word(names, int(i) + 1) : ""
 of_front(mark, error) = column(mark) > 0 && column(error) > 0 ? column(error) : NaN
 shown(error) = column(error) > 0 ? column(error) : NaN
 do for [format in "svg png"] {
     eval(canvas("trade", format, 900, 1000))
     set multiplot layout 2,1 margins 0.11,0.97,0.07,0.985 spacing 0.06
     set logscale xy; set format y "10^{%T}"; set format x "10^{%T}"
-    set xrange [*:*] ; set offsets graph 0.04, graph 0.22, graph 0.05, graph 0.05
+    set autoscale xfix; set autoscale yfix; set offsets graph 0.04, graph 0.2, graph 0.06, graph 0.06
     set ylabel "error of the volume fraction φ"; unset xlabel
     plot data using "evaluations":(of_front("front_of_volume_fraction", "volume_fraction")) smooth unique \
              with lines linecolor rgb kind_color(1) linewidth 1.6 notitle, \
          data using "evaluations":(shown("volume_fraction")):"volume_fraction_se" with yerrorbars \
              linecolor rgb kind_color(2) pointtype 7 pointsize 0.6 notitle, \
-         data using "evaluations":(shown("volume_fraction")):(label_of($0)) with labels left offset 0.7,0 \
-             font ",9" noenhanced notitle
+         data using "evaluations":(shown("volume_fraction")):(label_of($0, "front_of_volume_fraction")) \
+             with labels left offset 0.7,0.5 font ",10" noenhanced notitle
     set ylabel "error of Z_{nr}"; set xlabel "force evaluations"
     plot data using "evaluations":(of_front("front_of_coordination", "coordination_nr")) smooth unique \
              with lines linecolor rgb kind_color(1) linewidth 1.6 notitle, \
          data using "evaluations":(shown("coordination_nr")):"coordination_nr_se" with yerrorbars \
              linecolor rgb kind_color(2) pointtype 7 pointsize 0.6 notitle, \
-         data using "evaluations":(shown("coordination_nr")):(label_of($0)) with labels left offset 0.7,0 \
-             font ",9" noenhanced notitle
+         data using "evaluations":(shown("coordination_nr")):(label_of($0, "front_of_coordination")) \
+             with labels left offset 0.7,0.5 font ",10" noenhanced notitle
     unset multiplot
     unset output
 }

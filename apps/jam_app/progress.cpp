@@ -69,7 +69,7 @@ static std::vector<std::string> fields(const Record& record, const Verdict& verd
         fmt::format("phi {:.5f}", record.volume_fraction),
         fmt::format("Z_nr {:.3f}", record.coordination_nr),
         fmt::format("P/Pa {:.4g}", record.pressure.trace() / 3.0 / applied_pressure),
-        fmt::format("C {:.1e}", record.cundall),
+        std::isnan(record.cundall) ? "C -" : fmt::format("C {:.1e}", record.cundall),
         fmt::format("Ek {:.1e}", record.kinetic_energy_per_particle),
         criteria(verdict),
         speed(record),

@@ -54,6 +54,7 @@ void require_same_run(const Scene& now, const std::string& scene_before,
 void begin_new(Sitting& sitting) {
     sitting.folder.require_free();
     sitting.state = start_state(sitting.scene);
+    require_stable_time_step(sitting.scene, sitting.state);
     sitting.folder.occupy();
     save_checkpoint(sitting.state, scene_text(sitting.scene), sitting.folder.checkpoint());
 }

@@ -80,8 +80,8 @@ std::vector<TaskGraph::Task> GridHierarchy::add_sorting(TaskGraph& graph, const 
     const double largest_reach = 2.0 * reach.of(collections_.upper.back());
     require(cell.perpendicular_widths().minCoeff() >= largest_reach,
             "cell: its narrowest width is {:.6g}, the largest interaction distance {:.6g}; a cell "
-            "must be at least as wide as its largest sphere reaches: use more particles, or a "
-            "smaller size_ratio",
+            "must be at least as wide as its largest sphere reaches: use more particles "
+            "(sizes.count), or a smaller sizes.size_ratio",
             cell.perpendicular_widths().minCoeff(), largest_reach);
     cell_ = cell;
     reach_ = reach;

@@ -57,7 +57,7 @@ Verdict judge_at_rest(const Measurement& measurement, const Scene& scene) {
         criterion("cundall", now.cundall, scene.stop.cundall)};
     if (!scene.stop.stability) return verdict;
     verdict.criteria.push_back(
-        criterion("missing_contacts", -static_cast<double>(now.excess_contact_count()), 0.0));
+        criterion("missing_contacts", static_cast<double>(-now.excess_contact_count()), 0.0));
     const bool testable = scene.protocol.free_cell == FreeCell::all &&
                           measurement.network.rattlers.backbone_count() <= largest_tested_backbone;
     if (!testable) return verdict;

@@ -51,6 +51,12 @@ double smallest_diameter(const Particles& particles) {
     return std::ranges::min_element(particles.spheres, {}, &Sphere::diameter)->diameter;
 }
 
+/// tau, in which the scene gives its time step.
+double unit_of_time(const Scene& scene, const Particles& particles) {
+    const double mass = scene.contact.density * sphere_volume(smallest_diameter(particles));
+    return std::sqrt(mass / scene.contact.stiffness);
+}
+
 double dynamic_cundall(const JamState& state, const ContactSums& sums) {
     double net = 0.0;
     for (const Load& load : state.particles.loads) net += load.force.norm();
@@ -177,10 +183,14 @@ class JamRun {
         const ExpectedMotion& motion = method_.motion();
         const bool bounded = motion.displacement_a_step < 0.5 * smallest_diameter_ &&
                              motion.strain_a_step < 0.1 && std::isfinite(state_.pressure.sum());
-        require(bounded,
-                "protocol.time_step = {:.6g}: the motion has become unbounded at step {}; the time "
-                "step must stay below the stability limit: use protocol.time_step = \"automatic\"",
-                method_.time_step(), state_.step);
+        if (bounded) return;
+        const double step = method_.time_step() / unit_of_time(scene_, state_.particles);
+        throw InputError(fmt::format(
+            "protocol.time_step = {}: the motion has become unbounded at step {}; the time step "
+            "must stay below the stability limit: use a smaller one, such as {:.3g}",
+            scene_.protocol.time_step ? fmt::format("{:.6g}", step)
+                                      : fmt::format("\"automatic\" ({:.4g} here)", step),
+            state_.step, 0.5 * step));
     }
 
     const Scene& scene_;
@@ -195,7 +205,25 @@ class JamRun {
 
 }  // namespace
 
+void require_stable_time_step(const Scene& scene, const JamState& state) {
+    if (!scene.protocol.time_step) return;
+    Particles particles = state.particles;
+    Material material = scene.contact;
+    if (scene.protocol.kind == ProtocolKind::quasistatic) {
+        set_masses(particles, Masses::diameter, scene.contact.density);
+        material.damping = quasistatic_settings(scene, state).compaction.material.damping;
+    }
+    const double tau = unit_of_time(scene, particles);
+    const double limit = stability_limit(material, particles) / tau;
+    require(
+        *scene.protocol.time_step <= limit,
+        "protocol.time_step = {:.6g}: above the stability limit of the stiffest particle, {:.4g} "
+        "here; use a smaller one, such as {:.3g}, or protocol.time_step = \"automatic\"",
+        *scene.protocol.time_step, limit, 0.25 * limit);
+}
+
 JamResult jam_packing(const Scene& scene, JamState& state, const JamHooks& hooks) {
+    require_stable_time_step(scene, state);
     return run_with_threads(scene.run.threads, [&] {
         if (scene.protocol.kind == ProtocolKind::nph)
             return JamRun<NphRun>(scene, state, hooks).run();

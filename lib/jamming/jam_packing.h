@@ -33,6 +33,10 @@ struct JamResult {
     StageTimes times;
 };
 
+/// Throws InputError if the time step that the scene asks for is above stability_limit
+/// (nph_step.h), with the masses and the damping of its protocol. jam_packing asks the same.
+void require_stable_time_step(const Scene& scene, const JamState& state);
+
 /// Runs `state` by the scene's protocol until it is converged, a limit is reached or a stop is
 /// requested. `state` is a start_state or what a checkpoint held; afterwards it is whole, and may
 /// go on. Records are made every run.record_interval steps and at the end. Throws InputError when

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/jam_state.h"
 
+#include "analysis/contact_network.h"
 #include "core/check.h"
 #include "packing/packing_io.h"
 #include "placement/random_start.h"
@@ -14,7 +15,6 @@ namespace {
 
 Particles particles_at(const std::vector<Vec3>& centers, const std::vector<double>& diameters,
                        const Scene& scene) {
-    const double smallest = *std::min_element(diameters.begin(), diameters.end());
     const std::size_t count = diameters.size();
     Particles particles;
     particles.spheres.resize(count);
@@ -24,15 +24,31 @@ Particles particles_at(const std::vector<Vec3>& centers, const std::vector<doubl
     std::iota(particles.ids.begin(), particles.ids.end(), 0u);
     for (std::size_t i = 0; i < count; ++i) {
         particles.spheres[i] = {centers[i], diameters[i]};
-        particles.motions[i] = {
-            Vec3::Zero(),
-            inertial_mass(diameters[i], smallest, scene.protocol.masses, scene.contact.density)};
+        particles.motions[i].velocity.setZero();
     }
+    set_masses(particles, scene.protocol.masses, scene.contact.density);
     return particles;
+}
+
+/// What no step can begin from: a sphere that reaches itself through the cell, and two spheres of
+/// which no direction leads apart.
+void require_usable(const Packing& packing, const std::filesystem::path& file) {
+    const double width = packing.cell.perpendicular_widths().minCoeff();
+    const double largest = *std::ranges::max_element(packing.diameters);
+    require(width > largest,
+            "start.packing = {}: its cell is {:.6g} wide, and its largest sphere {:.6g}; a cell "
+            "must be wider than its spheres: use a packing of more particles",
+            file.string(), width, largest);
+    try {
+        find_contacts(packing);
+    } catch (const InputError& reason) {
+        throw InputError(fmt::format("start.packing = {}: {}", file.string(), reason.what()));
+    }
 }
 
 JamState state_of_packing(const Scene& scene) {
     const Packing packing = read_packing(scene.start.packing);
+    require_usable(packing, scene.start.packing);
     JamState state;
     const PeriodicCell::Reduction reduction = packing.cell.reduced();
     state.cell = reduction.cell;
@@ -57,6 +73,14 @@ double inertial_mass(double diameter, double smallest_diameter, Masses masses, d
             return density * sphere_volume(smallest_diameter);
     }
     return 0.0;
+}
+
+void set_masses(Particles& particles, Masses masses, double density) {
+    const double smallest =
+        std::ranges::min_element(particles.spheres, {}, &Sphere::diameter)->diameter;
+    for (std::size_t i = 0; i < particles.motions.size(); ++i)
+        particles.motions[i].mass =
+            inertial_mass(particles.spheres[i].diameter, smallest, masses, density);
 }
 
 JamState start_state(const Scene& scene) {

@@ -59,11 +59,15 @@ struct JamState {
 };
 
 /// The state a scene begins with: particles drawn and placed at random, or those of a saved
-/// packing; at rest.
+/// packing; at rest. Throws InputError if the packing's cell is narrower than its largest sphere,
+/// or if two of its spheres have one center.
 JamState start_state(const Scene& scene);
 
 /// Inertial masses by diameter, in units where the scene's density and stiffness stand.
 double inertial_mass(double diameter, double smallest_diameter, Masses masses, double density);
+
+/// Gives every particle its inertial mass; there must be at least one.
+void set_masses(Particles& particles, Masses masses, double density);
 
 /// Diameters in the order of the ids.
 std::vector<double> diameters_by_id(const Particles& particles);

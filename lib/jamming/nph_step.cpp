@@ -180,6 +180,17 @@ double highest_frequency(const Material& material, const Particles& particles) {
     return highest;
 }
 
+double stability_limit(const Material& material, const Particles& particles) {
+    const double frequency = highest_frequency(material, particles);
+    const double damping_rate = 4.0 * material.damping;
+    return 4.0 / (damping_rate + std::hypot(damping_rate, 2.0 * frequency));
+}
+
+static double automatic_time_step(const Material& material, const Particles& particles) {
+    return std::min(0.25 / highest_frequency(material, particles),
+                    0.22 * stability_limit(material, particles));
+}
+
 NphSettings nph_settings(const Scene& scene, const JamState& state) {
     // By id, so that a run which goes on from sorted particles adds in the same order.
     const std::vector<double> diameters = diameters_by_id(state.particles);
@@ -201,7 +212,7 @@ NphSettings nph_settings(const Scene& scene, const JamState& state) {
     settings.free_cell = scene.protocol.free_cell;
     settings.time_step = scene.protocol.time_step
                              ? *scene.protocol.time_step * tau
-                             : 0.25 / highest_frequency(scene.contact, state.particles);
+                             : automatic_time_step(scene.contact, state.particles);
     settings.cell_inertia = scene.protocol.cell_inertia * inertia;
     settings.cell_damping =
         scene.protocol.cell_damping * std::sqrt(mean_pressure * volume / settings.cell_inertia);

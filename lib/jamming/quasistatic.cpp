@@ -14,6 +14,11 @@ namespace {
 /// The automatic step is cautious enough for masses that a scene may choose; compaction chooses
 /// its own.
 constexpr double compaction_step_in_automatic_ones = 4.0;
+/// Compaction is no faster for more damping than this, and needs shorter steps; over the time step.
+constexpr double heaviest_damping = 0.3;
+/// A start that presses this many times as hard as compaction would is compact already, and would
+/// fly apart by inertia.
+constexpr double too_compact = 10.0;
 constexpr double reference_overlap = 1e-3;  // in smallest diameters
 constexpr double reference_width = 5.0;     // mean diameter by volume, in smallest ones
 constexpr Count steps_between_looks = 10;
@@ -67,8 +72,11 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
     Scene compaction = scene;
     compaction.protocol.masses = Masses::diameter;
     compaction.protocol.pressure *= settings.first_pressure / settings.applied_pressure;
+    compaction.contact.damping = 0.0;
     settings.compaction = nph_settings(compaction, state);
     if (!protocol.time_step) settings.compaction.time_step *= compaction_step_in_automatic_ones;
+    settings.compaction.material.damping =
+        std::min(scene.contact.damping, heaviest_damping / settings.compaction.time_step);
 
     settings.relax = {
         .material = scene.contact, .pressure = protocol.pressure, .free_cell = protocol.free_cell};
@@ -84,13 +92,8 @@ QuasistaticRun::QuasistaticRun(const Scene& scene, JamState& state)
       protocol_(scene.protocol),
       lists_(scene.run.lists),
       diameters_(diameters_by_id(state.particles)) {
-    if (state.quasistatic.pressure == 0.0 && !state.particles.motions.empty()) {
-        const double smallest = *std::ranges::min_element(diameters_);
-        for (std::size_t i = 0; i < state.particles.motions.size(); ++i)
-            state.particles.motions[i].mass =
-                inertial_mass(state.particles.spheres[i].diameter, smallest, Masses::diameter,
-                              scene.contact.density);
-    }
+    if (state.quasistatic.pressure == 0.0 && !state.particles.motions.empty())
+        set_masses(state.particles, Masses::diameter, scene.contact.density);
     settings_ = quasistatic_settings(scene, state);
 }
 
@@ -126,6 +129,8 @@ void QuasistaticRun::begin() {
     if (compacting()) {
         compaction_.emplace(diameters_, lists_);
         begin_nph(state_, settings_.compaction, *compaction_);
+        const double pressure = state_.pressure.trace() / 3.0;
+        if (state_.step == 0 && pressure > too_compact * settings_.first_pressure) begin_ladder();
     } else {
         relaxation_.emplace(diameters_, lists_);
         settings_.relax.pressure = rung_pressure();

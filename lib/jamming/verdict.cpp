@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace jam {
@@ -49,9 +50,12 @@ Verdict verdict_from_json(const std::string& text) {
 
 std::string to_text(const Verdict& verdict) {
     std::string out;
-    for (const Criterion& one : verdict.criteria)
-        out += fmt::format("  {:<24}{:>11.3e}  (<= {:.3g})  {}\n", one.name, one.value,
-                           one.tolerance, one.holds ? "holds" : "does not hold");
+    for (const Criterion& one : verdict.criteria) {
+        const std::string value =
+            std::isnan(one.value) ? "unknown" : fmt::format("{:.3e}", one.value);
+        out += fmt::format("  {:<24}{:>11}  (<= {:.3g})  {}\n", one.name, value, one.tolerance,
+                           one.holds ? "holds" : "does not hold");
+    }
     return out;
 }
 

@@ -47,6 +47,18 @@ InteractionReach outer_reach(double smallest_diameter, const ListSettings& setti
     return {settings.outer_strain_margin, settings.outer_skin * smallest_diameter};
 }
 
+/// The same for candidates in this cell: no wider than the largest sphere has room for, which costs
+/// more searches.
+InteractionReach reach_with_room(const VerletLists& lists, const PeriodicCell& cell) {
+    const InteractionReach full = outer_reach(lists.smallest_diameter, lists.settings);
+    const double largest = lists.hierarchy.collections().upper.back();
+    const double room = cell.perpendicular_widths().minCoeff() - largest;
+    const double wanted = full.of(largest, largest) - largest;
+    if (room >= wanted) return full;
+    const double share = 0.999 * std::max(0.0, room) / wanted;
+    return {share * full.strain_margin, share * full.skin};
+}
+
 double smallest(std::span<const double> diameters) {
     return *std::min_element(diameters.begin(), diameters.end());
 }
@@ -69,7 +81,7 @@ VerletLists::VerletLists(std::span<const double> diameters, const ListSettings& 
 
 void renew_lists(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
                  Particles& particles) {
-    const InteractionReach reach = outer_reach(lists.smallest_diameter, lists.settings);
+    const InteractionReach reach = reach_with_room(lists, cell);
     find_candidates(lists.hierarchy, cell, reach, particles, lists.neighbor_scratch,
                     lists.candidates, lists.settings.method);
     take_reference(cell, reach, particles, lists.outer);

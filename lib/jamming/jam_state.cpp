@@ -47,11 +47,11 @@ void require_usable(const Packing& packing, const std::filesystem::path& file) {
 }
 
 JamState state_of_packing(const Scene& scene) {
-    const Packing packing = read_packing(scene.start.packing);
+    Packing packing = read_packing(scene.start.packing);
+    packing.cell = packing.cell.reduced().cell;
     require_usable(packing, scene.start.packing);
     JamState state;
-    const PeriodicCell::Reduction reduction = packing.cell.reduced();
-    state.cell = reduction.cell;
+    state.cell = packing.cell;
     std::vector<Vec3> centers;
     centers.reserve(packing.positions.size());
     for (const Vec3& position : packing.positions)

@@ -14,6 +14,9 @@ namespace {
 /// The automatic step is cautious enough for masses that a scene may choose; compaction chooses
 /// its own.
 constexpr double compaction_step_in_automatic_ones = 4.0;
+/// Under a pressure as high as the stiffness the cell moves as fast as the spheres: its step, over
+/// the time in which the pressure sets it in motion.
+constexpr double longest_step_of_the_cell = 0.03;
 /// Compaction is no faster for more damping than this, and needs shorter steps; over the time step.
 constexpr double heaviest_damping = 0.3;
 /// A start that presses this many times as hard as compaction would is compact already, and would
@@ -34,6 +37,17 @@ constexpr Count steps_between_trials = 5'000;
 /// The last rung is given this many times a rung's steps before the ladder is climbed again.
 constexpr Count patience = 3;
 constexpr double climb = 4.0;  // in pressure
+
+/// The automatic one of the settings, made longer.
+double compaction_time_step(const QuasistaticSettings& settings,
+                            const std::vector<double>& diameters) {
+    double volume = 0.0;
+    for (const double diameter : diameters) volume += sphere_volume(diameter);
+    const double cell_rate =
+        std::sqrt(settings.first_pressure * volume / settings.compaction.cell_inertia);
+    return std::min(compaction_step_in_automatic_ones * settings.compaction.time_step,
+                    longest_step_of_the_cell / cell_rate);
+}
 
 bool is_isotropic(const Mat3& pressure) {
     return pressure == Mat3(Mat3::Identity() * pressure(0, 0));
@@ -74,7 +88,9 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
     compaction.protocol.pressure *= settings.first_pressure / settings.applied_pressure;
     compaction.contact.damping = 0.0;
     settings.compaction = nph_settings(compaction, state);
-    if (!protocol.time_step) settings.compaction.time_step *= compaction_step_in_automatic_ones;
+    if (!protocol.time_step)
+        settings.compaction.time_step =
+            compaction_time_step(settings, diameters_by_id(state.particles));
     settings.compaction.material.damping =
         std::min(scene.contact.damping, heaviest_damping / settings.compaction.time_step);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What happens at the ends of what can be asked for (docs/extremes.md): minutes, so not part of ./check:
+# What happens at the ends of what can be asked for (docs/extremes.md): not part of ./check:
 #     ctest --preset release --label-regex extremes
 file(GLOB widejam_extremes_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/extremes/*.cpp
      ${CMAKE_CURRENT_SOURCE_DIR}/support/*.cpp)
@@ -13,6 +13,6 @@ target_compile_definitions(widejam_extremes PRIVATE
 target_link_libraries(widejam_extremes PRIVATE widejam widejam_build_settings GTest::gtest GTest::gmock GTest::gtest_main)
 set_target_properties(widejam_extremes PROPERTIES UNITY_BUILD OFF)
 target_compile_options(widejam_extremes PRIVATE $<$<CONFIG:Release>:-O1> -Wno-uninitialized)
-target_precompile_headers(widejam_extremes PRIVATE <gtest/gtest.h> <gmock/gmock.h> <Eigen/Dense> <fstream>)
+target_precompile_headers(widejam_extremes REUSE_FROM widejam_tests)
 add_dependencies(widejam_extremes jam_app analyze_app)
 gtest_discover_tests(widejam_extremes DISCOVERY_TIMEOUT 60 PROPERTIES LABELS extremes TIMEOUT 300)

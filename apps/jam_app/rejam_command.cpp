@@ -39,7 +39,7 @@ std::filesystem::path write_start(const Packing& packing, Scene scene, const Run
     std::filesystem::create_directories(folder.path());
     save_packing(packing, folder.path() / "start.h5");
     scene.start.packing = "start.h5";
-    const std::filesystem::path file = folder.path() / "scene.toml";
+    std::filesystem::path file = folder.path() / "scene.toml";
     write_whole_file(file, scene_text(scene));
     return file;
 }

@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace jam::apps {
 
 namespace {
@@ -74,8 +76,8 @@ int trade_scene(const TradeOptions& options) {
         fmt::print("\nrun {} of {}: {}\n", i + 1, runs.size(), runs[i].name);
         if (!do_run(runs[i], options)) return exit_not_converged;
     }
-    std::vector<TradeResult> results;
-    for (const SweepRun& run : runs) results.push_back(read_trade_result(run));
+    std::vector<TradeResult> results(runs.size());
+    std::ranges::transform(runs, results.begin(), read_trade_result);
     const std::vector<TradePoint> points = trade_points(choices, results);
     write_results(points, options.folder);
     print_table(points);

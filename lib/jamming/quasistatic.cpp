@@ -29,8 +29,8 @@ constexpr Count fewest_steps_of_a_rung = 20;
 constexpr double pressure_error_of_a_rung = 1e-3;
 
 // When Newton's method is worth a trial, and how long to relax before the next.
-constexpr double cundall_for_newton = 1e-4;
-constexpr double cundall_for_a_late_trial = 1e-3;
+constexpr double cundall_for_newton = 1e-5;
+constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
 

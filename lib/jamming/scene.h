@@ -65,7 +65,7 @@ struct LadderSettings {
     std::optional<double> compaction_pressure;
     Count compaction_steps = 6'000;
     double pressure_ratio = 1.1;  ///< of one rung's pressure to the next
-    double cundall = 1e-4;        ///< to which a rung is relaxed
+    double cundall = 3e-5;        ///< to which a rung is relaxed
     Count most_steps = 20'000;    ///< of a rung
 };
 

@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "jamming/scene_file.h"
 #include "report/run_history.h"
+#include "shared/drawing_words.h"
 #include "shared/program.h"
 
 #include <fmt/format.h>
@@ -72,16 +73,6 @@ WrittenReport report_of_many(const std::vector<fs::path>& files, const ReportOpt
                [&] { collection.add(packing, name_of_packing(files[i]), sizes_of(packing)); });
     }
     return collection.write(options.output);
-}
-
-void tell_of_drawing(const Drawing& drawing) {
-    if (!drawing.gnuplot_found)
-        fmt::print(stderr,
-                   "gnuplot is not installed, so that no figure is drawn; their tables and "
-                   "scripts are written. Install it (Debian: gnuplot-nox), then run this "
-                   "again.\n");
-    for (const std::string& problem : drawing.problems)
-        fmt::print(stderr, "gnuplot: {}\n", problem);
 }
 
 }  // namespace

@@ -14,13 +14,16 @@
 
 namespace jam::apps {
 
+static void add_overrides(CLI::App& command, std::vector<std::string>& overrides,
+                          const char* what) {
+    command.add_option("--set", overrides, what)->allow_extra_args(false);
+}
+
 static void add_scene_options(CLI::App& command, SceneOptions& options,
                               const char* what = "Scene file (TOML)") {
     command.add_option("scene", options.scene, what)->required();
-    command
-        .add_option("--set", options.overrides,
-                    "table.key=value in place of what the scene says; may be given again")
-        ->allow_extra_args(false);
+    add_overrides(command, options.overrides,
+                  "table.key=value in place of what the scene says; may be given again");
 }
 
 static std::string joined(int argc, char** argv) {
@@ -55,10 +58,8 @@ static void add_rejam_options(CLI::App& command, RejamOptions& options) {
     command.add_option("-o,--out", options.folder, "Folder of the results")->required();
     command.add_flag("--without-rattlers", options.without_rattlers,
                      "Take the rattlers out before");
-    command
-        .add_option("--set", options.overrides,
-                    "table.key=value in place of what the packing's scene says")
-        ->allow_extra_args(false);
+    add_overrides(command, options.overrides,
+                  "table.key=value in place of what the packing's scene says; may be given again");
     add_threads(command, options.overrides);
 }
 

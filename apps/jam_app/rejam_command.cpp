@@ -36,7 +36,7 @@ void print_change(const PackingStatistics& before, const PackingStatistics& afte
 
 /// The folder's own scene and start, so that the run is one like any other and may be gone on with.
 std::filesystem::path write_start(const Packing& packing, Scene scene, const RunFolder& folder) {
-    std::filesystem::create_directories(folder.path());
+    make_folder(folder.path(), "give another by --out");
     save_packing(packing, folder.path() / "start.h5");
     scene.start.packing = "start.h5";
     std::filesystem::path file = folder.path() / "scene.toml";
@@ -50,7 +50,7 @@ int rejam_packing(const RejamOptions& options) {
     const RunFolder folder(options.folder);
     folder.require_free();
     const Packing before = read_packing(options.packing);
-    Scene scene = scene_from_packing(options.packing, options.overrides);
+    Scene scene = scene_from_packing(before, options.packing, options.overrides);
     scene.protocol.kind = ProtocolKind::quasistatic;
     begin_at_applied_pressure(scene);
     const Packing start = options.without_rattlers ? without_rattlers(before) : before;

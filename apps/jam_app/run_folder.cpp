@@ -2,6 +2,7 @@
 #include "jam_app/run_folder.h"
 
 #include "core/check.h"
+#include "core/whole_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -42,11 +43,7 @@ static std::string reason() {
 }
 
 void RunFolder::occupy() {
-    std::error_code failed;
-    std::filesystem::create_directories(path_, failed);
-    if (failed)
-        throw FileError(fmt::format("{}: the folder cannot be made ({}); give another by --out",
-                                    path_.string(), failed.message()));
+    make_folder(path_, "give another by --out");
     descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0)
         throw FileError(fmt::format("{}: the folder cannot be opened ({}); give another by --out",

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // jam_app sweep: many runs, as many at once as the machine bears, or one of them.
 #include "core/check.h"
+#include "core/whole_file.h"
 #include "jam_app/child_runs.h"
 #include "jam_app/commands.h"
 #include "jam_app/stop_signal.h"
 #include "jam_app/sweep_table.h"
-#include "jamming/scene_keys.h"
+#include "jam_app/swept_run.h"
 #include "shared/program.h"
 #include "shared/shell_word.h"
-#include "sweep/run_state.h"
 
 #include <fmt/format.h>
 
@@ -39,17 +39,7 @@ int run_one(const Sweep& sweep, const SweepOptions& options) {
         fmt::print("{}: has converged already\n", run.name);
         return exit_good;
     }
-    prepare_folder(run);
-    RunOptions one;
-    one.scene.scene = run.scene.run.output / "scene.toml";
-    one.scene.overrides = {"run.output=" + toml_text(run.scene.run.output.string())};
-    if (options.threads)
-        one.scene.overrides.push_back(fmt::format("run.threads={}", *options.threads));
-    one.resume = state == RunState::begun;
-    one.command_line = options.command_line;
-    const int status = run_scene(one);
-    if (status == exit_good) mark_converged(run);
-    return status;
+    return do_swept_run(run, state, options.command_line, options.threads);
 }
 
 std::vector<std::string> command_of(const SweepRun& run, const SweepOptions& options) {
@@ -150,7 +140,7 @@ class SweepSitting {
 
     void start(std::size_t i) {
         const SweepRun& run = sweep_.runs[i];
-        std::filesystem::create_directories(run.scene.run.output);
+        make_folder(run.scene.run.output, "set another sweep.output");
         std::vector<std::string> command = command_of(run, options_);
         command.insert(command.end(), {"--threads", std::to_string(threads_)});
         children_.start({-1, i, threads_, memory_of(i)}, command, output_file(run));

@@ -2,11 +2,11 @@
 // jam_app trade: what a scene's speed costs in accuracy, measured.
 #include "core/whole_file.h"
 #include "jam_app/commands.h"
+#include "jam_app/swept_run.h"
 #include "jamming/checkpoint_file.h"
 #include "jamming/scene_file.h"
-#include "jamming/scene_keys.h"
+#include "shared/drawing_words.h"
 #include "shared/program.h"
-#include "sweep/run_state.h"
 #include "sweep/trade.h"
 #include "sweep/trade_figure.h"
 
@@ -23,23 +23,12 @@ bool at_limit(const SweepRun& run) {
            run.scene.stop.max_steps;
 }
 
-bool is_done(const SweepRun& run) {
+/// Takes the run to its end: converged, or at its limit on steps. False if it was stopped before.
+bool finish(const SweepRun& run, const std::string& headline, const std::string& command_line) {
     const RunState state = state_of(run);
-    return state == RunState::converged || (state == RunState::begun && at_limit(run));
-}
-
-/// False if a signal stopped it.
-bool do_run(const SweepRun& run, const TradeOptions& options) {
-    const RunState state = state_of(run);
-    prepare_folder(run);
-    RunOptions one;
-    one.scene.scene = run.scene.run.output / "scene.toml";
-    one.scene.overrides = {"run.output=" + toml_text(run.scene.run.output.string())};
-    one.resume = state == RunState::begun;
-    one.command_line = options.command_line;
-    const int status = run_scene(one);
-    if (status == exit_good) mark_converged(run);
-    return status == exit_good || at_limit(run);
+    if (state == RunState::converged || (state == RunState::begun && at_limit(run))) return true;
+    fmt::print("{}", headline);
+    return do_swept_run(run, state, command_line) == exit_good || at_limit(run);
 }
 
 void print_table(std::span<const TradePoint> points) {
@@ -58,10 +47,7 @@ void write_results(std::span<const TradePoint> points, const std::filesystem::pa
     write_whole_file(folder / "trade.csv", trade_csv(points));
     const Figure figure = trade_figure(points);
     write_figures({&figure, 1}, folder);
-    const Drawing drawing = draw_figures({&figure, 1}, folder);
-    for (const std::string& problem : drawing.problems) fmt::print(stderr, "{}\n", problem);
-    if (!drawing.gnuplot_found)
-        fmt::print(stderr, "no figure is drawn: gnuplot is not installed (apt install gnuplot)\n");
+    tell_of_drawing(draw_figures({&figure, 1}, folder));
 }
 
 }  // namespace
@@ -72,9 +58,9 @@ int trade_scene(const TradeOptions& options) {
     const std::vector<SweepRun> runs = trade_runs(options.scene.scene, options.scene.overrides,
                                                   choices, options.seeds, options.folder);
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        if (is_done(runs[i])) continue;
-        fmt::print("\nrun {} of {}: {}\n", i + 1, runs.size(), runs[i].name);
-        if (!do_run(runs[i], options)) return exit_not_converged;
+        const std::string headline =
+            fmt::format("\nrun {} of {}: {}\n", i + 1, runs.size(), runs[i].name);
+        if (!finish(runs[i], headline, options.command_line)) return exit_not_converged;
     }
     std::vector<TradeResult> results(runs.size());
     std::ranges::transform(runs, results.begin(), read_trade_result);

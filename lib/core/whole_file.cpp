@@ -142,4 +142,12 @@ void write_whole_file(const fs::path& path, std::string_view text) {
     write_whole_file(path, [&](FileSink& sink) { sink.write(text); });
 }
 
+void make_folder(const fs::path& path, std::string_view remedy) {
+    std::error_code failed;
+    fs::create_directories(path, failed);
+    if (failed)
+        throw FileError(fmt::format("{}: the folder cannot be made ({}); {}", path.string(),
+                                    failed.message(), remedy));
+}
+
 }  // namespace jam

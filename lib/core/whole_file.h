@@ -46,4 +46,8 @@ void write_whole_file(const std::filesystem::path& path,
 /// The same for content that is at hand.
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
+/// Makes the folder and those above it where they are missing. Throws FileError, which ends in
+/// `remedy`.
+void make_folder(const std::filesystem::path& path, std::string_view remedy);
+
 }  // namespace jam

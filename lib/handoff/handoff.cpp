@@ -30,14 +30,6 @@ void require_free(const fs::path& folder) {
                 folder.string(), file);
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
-        throw FileError(fmt::format("{}: the folder cannot be made ({}); give another",
-                                    folder.string(), failed.message()));
-}
-
 /// Masses in LAMMPS follow from densities; each sphere has one of its own unless all have the
 /// material's, which none stands for.
 std::vector<double> densities(const JamState& state, Masses masses) {
@@ -62,7 +54,7 @@ void write_handoff(const Scene& scene, const fs::path& folder) {
     require_free(folder);
     const JamState start = start_state(scene);
     const LammpsTask task{scene, start, nph_settings(scene, start)};
-    make_folder(folder);
+    make_folder(folder, "give another");
     write_lammps_data(to_packing(start, scene), folder / "start.data",
                       densities(start, scene.protocol.masses));
     write_whole_file(folder / "system.in", lammps_system_script(task));

@@ -12,7 +12,11 @@ namespace jam {
 
 Scene scene_from_packing(const std::filesystem::path& path,
                          std::span<const std::string> overrides) {
-    const Packing packing = read_packing(path);
+    return scene_from_packing(read_packing(path), path, overrides);
+}
+
+Scene scene_from_packing(const Packing& packing, const std::filesystem::path& path,
+                         std::span<const std::string> overrides) {
     Scene scene;
     if (packing.provenance.scene.empty()) {
         scene.contact = packing.material;

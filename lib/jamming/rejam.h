@@ -11,10 +11,15 @@
 
 namespace jam {
 
-/// The scene that goes on from a saved packing: with contact, pressure, protocol and criteria of
-/// the scene that is in its file. Where there is none, contact and pressure are the packing's and
-/// the rest is by default. Overrides as for read_scene. Throws InputError and FileError.
-Scene scene_from_packing(const std::filesystem::path& packing,
+/// The scene that goes on from a packing, saved as `path`: with contact, pressure, protocol and
+/// criteria of the scene that is in its file. Where there is none, contact and pressure are the
+/// packing's and the rest is by default. Overrides as for read_scene. Throws InputError and
+/// FileError.
+Scene scene_from_packing(const Packing& packing, const std::filesystem::path& path,
+                         std::span<const std::string> overrides = {});
+
+/// The same for one that is yet to be read.
+Scene scene_from_packing(const std::filesystem::path& path,
                          std::span<const std::string> overrides = {});
 
 /// The same packing without its rattlers (fewer than three contacts, found again until none is

@@ -91,11 +91,7 @@ std::string style_script() {
 }
 
 void write_figures(std::span<const Figure> figures, const std::filesystem::path& folder) {
-    std::error_code problem;
-    std::filesystem::create_directories(folder, problem);
-    if (problem)
-        throw FileError(fmt::format("{}: the folder cannot be made ({}); name another with -o",
-                                    folder.string(), problem.message()));
+    make_folder(folder, "name another with -o");
     write_whole_file(folder / "style.gp", style_script());
     for (const Figure& figure : figures) {
         for (const Figure::Data& data : figure.data)

@@ -12,6 +12,9 @@ namespace jam {
 
 namespace fs = std::filesystem;
 
+static constexpr std::string_view another_folder =
+    "give another sweep.output (of a trade: another -o)";
+
 static fs::path scene_file_of(const SweepRun& run) {
     return run.scene.run.output / "scene.toml";
 }
@@ -31,8 +34,8 @@ RunState state_of(const SweepRun& run) {
     const std::vector<std::string> changed = differences_of_runs(run.scene, before);
     require(changed.empty(),
             "{}: holds a run of another scene: {}; only [stop] and [run] of a sweep may change; "
-            "give another sweep.output, or remove the folder",
-            folder.string(), fmt::join(changed, ", "));
+            "{}, or remove the folder",
+            folder.string(), fmt::join(changed, ", "), another_folder);
     if (fs::exists(folder / "converged", none) && same_criteria(run.scene, before))
         return RunState::converged;
     return fs::exists(folder / "checkpoint.h5", none) ? RunState::begun : RunState::left;
@@ -40,12 +43,9 @@ RunState state_of(const SweepRun& run) {
 
 void prepare_folder(const SweepRun& run) {
     const fs::path folder = run.scene.run.output;
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    if (failed)
-        throw FileError(fmt::format("{}: the folder cannot be made ({}); set another sweep.output",
-                                    folder.string(), failed.message()));
-    fs::remove(folder / "converged", failed);
+    make_folder(folder, another_folder);
+    std::error_code none;
+    fs::remove(folder / "converged", none);
     write_whole_file(scene_file_of(run), scene_text(run.scene));
 }
 

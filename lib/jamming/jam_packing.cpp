@@ -51,12 +51,6 @@ double smallest_diameter(const Particles& particles) {
     return std::ranges::min_element(particles.spheres, {}, &Sphere::diameter)->diameter;
 }
 
-/// tau, in which the scene gives its time step.
-double unit_of_time(const Scene& scene, const Particles& particles) {
-    const double mass = scene.contact.density * sphere_volume(smallest_diameter(particles));
-    return std::sqrt(mass / scene.contact.stiffness);
-}
-
 double dynamic_cundall(const JamState& state, const ContactSums& sums) {
     double net = 0.0;
     for (const Load& load : state.particles.loads) net += load.force.norm();
@@ -184,7 +178,7 @@ class JamRun {
         const bool bounded = motion.displacement_a_step < 0.5 * smallest_diameter_ &&
                              motion.strain_a_step < 0.1 && std::isfinite(state_.pressure.sum());
         if (bounded) return;
-        const double step = method_.time_step() / unit_of_time(scene_, state_.particles);
+        const double step = method_.time_step() / unit_of_time(scene_.contact, smallest_diameter_);
         throw InputError(fmt::format(
             "protocol.time_step = {}: the motion has become unbounded at step {}; the time step "
             "must stay below the stability limit: use a smaller one, such as {:.3g}",
@@ -213,7 +207,7 @@ void require_stable_time_step(const Scene& scene, const JamState& state) {
         set_masses(particles, Masses::diameter, scene.contact.density);
         material.damping = quasistatic_settings(scene, state).compaction.material.damping;
     }
-    const double tau = unit_of_time(scene, particles);
+    const double tau = unit_of_time(scene.contact, smallest_diameter(particles));
     const double limit = stability_limit(material, particles) / tau;
     require(
         *scene.protocol.time_step <= limit,

@@ -7,6 +7,7 @@
 #include "placement/random_start.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace jam {
@@ -73,6 +74,10 @@ double inertial_mass(double diameter, double smallest_diameter, Masses masses, d
             return density * sphere_volume(smallest_diameter);
     }
     return 0.0;
+}
+
+double unit_of_time(const Material& material, double smallest_diameter) {
+    return std::sqrt(material.density * sphere_volume(smallest_diameter) / material.stiffness);
 }
 
 void set_masses(Particles& particles, Masses masses, double density) {

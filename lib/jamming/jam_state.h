@@ -66,6 +66,10 @@ JamState start_state(const Scene& scene);
 /// Inertial masses by diameter, in units where the scene's density and stiffness stand.
 double inertial_mass(double diameter, double smallest_diameter, Masses masses, double density);
 
+/// tau = sqrt(M_min / k), in which a scene gives its time step; M_min is the true mass of the
+/// smallest particle.
+double unit_of_time(const Material& material, double smallest_diameter);
+
 /// Gives every particle its inertial mass; there must be at least one.
 void set_masses(Particles& particles, Masses masses, double density);
 

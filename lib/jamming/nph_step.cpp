@@ -44,20 +44,6 @@ class HalfKick {
     Double4 from_x_, from_y_, from_z_;
 };
 
-/// An upper triangular matrix applied to the first three of four numbers; the fourth becomes zero.
-class UpperMap {
-  public:
-    explicit UpperMap(const Mat3& m)
-        : x_{m(0, 0), 0.0, 0.0, 0.0},
-          y_{m(0, 1), m(1, 1), 0.0, 0.0},
-          z_{m(0, 2), m(1, 2), m(2, 2), 0.0} {}
-
-    Double4 operator()(const Double4& v) const { return x_ * v[0] + y_ * v[1] + z_ * v[2]; }
-
-  private:
-    Double4 x_, y_, z_;
-};
-
 double squared_length(const Double4& v) {
     return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
@@ -202,8 +188,7 @@ NphSettings nph_settings(const Scene& scene, const JamState& state) {
                    inertial_mass(diameter, smallest, scene.protocol.masses, scene.contact.density);
         volume += sphere_volume(diameter);
     }
-    const double tau =
-        std::sqrt(scene.contact.density * sphere_volume(smallest) / scene.contact.stiffness);
+    const double tau = unit_of_time(scene.contact, smallest);
     const double mean_pressure = scene.protocol.pressure.trace() / 3.0;
 
     NphSettings settings;

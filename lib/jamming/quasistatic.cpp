@@ -76,8 +76,8 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
     settings.ladder = protocol.ladder;
     settings.stop = scene.stop;
     settings.applied_pressure = protocol.pressure.trace() / 3.0;
-    const double automatic =
-        automatic_compaction_pressure(scene.contact, diameters_by_id(state.particles));
+    const std::vector<double> diameters = diameters_by_id(state.particles);
+    const double automatic = automatic_compaction_pressure(scene.contact, diameters);
     settings.first_pressure = std::max(protocol.ladder.compaction_pressure.value_or(automatic),
                                        settings.applied_pressure);
     settings.climbed_pressure =
@@ -89,8 +89,7 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
     compaction.contact.damping = 0.0;
     settings.compaction = nph_settings(compaction, state);
     if (!protocol.time_step)
-        settings.compaction.time_step =
-            compaction_time_step(settings, diameters_by_id(state.particles));
+        settings.compaction.time_step = compaction_time_step(settings, diameters);
     settings.compaction.material.damping =
         std::min(scene.contact.damping, heaviest_damping / settings.compaction.time_step);
 

@@ -132,18 +132,6 @@ struct Moved {
     }
 };
 
-/// An upper triangular matrix times a vector, in plain numbers: the loop over particles is short.
-struct UpperTriangle {
-    explicit UpperTriangle(const Mat3& m)
-        : xx(m(0, 0)), xy(m(0, 1)), xz(m(0, 2)), yy(m(1, 1)), yz(m(1, 2)), zz(m(2, 2)) {}
-
-    Double4 operator*(const Double4& v) const {
-        return Double4{xx * v[0] + xy * v[1] + xz * v[2], yy * v[1] + yz * v[2], zz * v[2], 0.0};
-    }
-
-    double xx, xy, xz, yy, yz, zz;
-};
-
 /// Moves one particle after another.
 class Mover {
   public:
@@ -164,11 +152,10 @@ class Mover {
         const Double4 after = velocity(before, load, touches, scratch_.metric.particles[i], moved);
         store4(after, particles_.motions[i]);
         const Double4 step = before * move_.back + after * move_.time_step;
-        const Double4 sphere = load4(particles_.spheres[i]) + to_fractional_ * step;
+        const Double4 sphere = load4(particles_.spheres[i]) + to_fractional_(step);
         store4(sphere, particles_.spheres[i]);
         const Vec3& origin = scratch_.lists.inner.centers[i];
-        const Double4 away =
-            to_cartesian_ * (sphere - Double4{origin[0], origin[1], origin[2], 0.0});
+        const Double4 away = to_cartesian_(sphere - Double4{origin[0], origin[1], origin[2], 0.0});
         moved.displacement_squared = std::max(moved.displacement_squared, dot3(away, away));
     }
 
@@ -190,8 +177,8 @@ class Mover {
 
     Particles& particles_;
     Move move_;
-    UpperTriangle to_fractional_;
-    UpperTriangle to_cartesian_;
+    UpperMap to_fractional_;
+    UpperMap to_cartesian_;
     double top_speed_;
     const RelaxScratch& scratch_;
 };

@@ -65,14 +65,12 @@ void add_pressures(const Scene& scene, std::vector<TradeChoice>& choices) {
 }
 
 void add_inertia(const Scene& scene, const JamState& start, std::vector<TradeChoice>& choices) {
+    const double tau =
+        unit_of_time(scene.contact, std::ranges::min(diameters_by_id(start.particles)));
     const auto add = [&](const char* name, const char* masses, double time_steps) {
         Scene other = scene;
         other.protocol.masses =
             std::string_view(masses) == "true" ? Masses::true_mass : Masses::diameter;
-        const double smallest = std::ranges::min(diameters_by_id(start.particles));
-        const double tau =
-            std::sqrt(inertial_mass(smallest, smallest, Masses::true_mass, scene.contact.density) /
-                      scene.contact.stiffness);
         TradeChoice choice{
             name,
             {"protocol.kind=nph", fmt::format("protocol.masses=\"{}\"", masses), limit_of_inertia}};

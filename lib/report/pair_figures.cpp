@@ -35,6 +35,44 @@ double law_height(const PowerLawFit& fit, const Bins& bins, std::span<const doub
 /// Bins with fewer are not drawn: their errors are as large as they are.
 constexpr Count fewest_in_bin = 3;
 
+/// A density over logarithmic bins: how its table and its axes name what is in it.
+struct DensityNames {
+    std::string figure;    ///< of the table, too
+    std::string quantity;  ///< columns QUANTITY_low and QUANTITY_high
+    std::string counted;   ///< column of the numbers behind each bin
+    std::string x_label, y_label, key, law;
+};
+
+/// Points with the errors of their counts, and the power law that was fitted to the small values.
+std::string density_script(const DensityNames& names, const PowerLawFit& fit, double height) {
+    return script_value("figure", names.figure) +
+           script_value("low_edge", names.quantity + "_low") +
+           script_value("high_edge", names.quantity + "_high") +
+           script_value("counted", names.counted) + script_value("x_name", names.x_label) +
+           script_value("y_name", names.y_label) + script_value("law_name", names.law) +
+           script_value("fewest", fewest_in_bin) + script_value("exponent", fit.exponent) +
+           script_value("low", fit.low) + script_value("high", fit.high) +
+           script_value("height", height) + "set key " + names.key + R"gnuplot(
+set logscale xy
+set format xy "10^{%T}"
+set xlabel x_name
+set ylabel y_name
+middle(a, b) = sqrt(a*b)
+seen(value, count) = count >= fewest ? value : NaN
+data = figure.".csv"
+law(x) = x >= low && x <= high ? height*x**exponent : NaN
+set samples 400
+do for [format in "svg png"] {
+    eval(canvas(figure, format, 640, 420))
+    plot data using (seen(middle(column(low_edge), column(high_edge)), column(counted))):"density": \
+         (column("density")/sqrt(column(counted))) \
+         with yerrorbars pointtype 7 pointsize 0.55 linewidth 0.8 linecolor rgb kind_color(1) title counted, \
+         law(x) linecolor rgb kind_color(2) linewidth 1.6 title (low < high ? law_name : "")
+    unset output
+}
+)gnuplot";
+}
+
 }  // namespace
 
 bool worth_drawing(std::span<const Count> counts) {
@@ -43,73 +81,43 @@ bool worth_drawing(std::span<const Count> counts) {
 
 Figure forces_figure(const ForceDistribution& forces) {
     const PowerLawFit& fit = forces.small_forces;
+    const DensityNames names = {"forces",
+                                "force",
+                                "contacts",
+                                "contact force f / ⟨f⟩",
+                                "probability density",
+                                "bottom center",
+                                fmt::format("f^{{θ}}, θ = {:.2f}", fit.exponent)};
     return {
-        "forces",
+        names.figure,
         "Contact forces",
         fmt::format("Probability density of the contact forces in the backbone, over their mean. "
                     "Near jamming small forces should follow f^{{θ}} with θ = 0.42, or 0.17 where "
                     "particles are loosely held (Charbonneau et al., 2015); {}.",
                     exponent_words("f^{θ}", "θ", fit.exponent, fit.error)),
-        script_value("fewest", fewest_in_bin) + script_value("theta", fit.exponent) +
-            script_value("low", fit.low) + script_value("high", fit.high) +
-            script_value("height",
-                         law_height(fit, forces.bins, forces.density, forces.contact_counts)) +
-            R"gnuplot(
-set logscale xy
-set format xy "10^{%T}"
-set xlabel "contact force f / ⟨f⟩"
-set ylabel "probability density"
-set key bottom center
-middle(a, b) = sqrt(a*b)
-seen(value, count) = count >= fewest ? value : NaN
-data = "forces.csv"
-law(x) = x >= low && x <= high ? height*x**theta : NaN
-set samples 400
-do for [format in "svg png"] {
-    eval(canvas("forces", format, 640, 420))
-    plot data using (seen(middle(column("force_low"), column("force_high")), column("contacts"))):"density": \
-         (column("density")/sqrt(column("contacts"))) \
-         with yerrorbars pointtype 7 pointsize 0.55 linewidth 0.8 linecolor rgb kind_color(1) title "contacts", \
-         law(x) linecolor rgb kind_color(2) linewidth 1.6 title (low < high ? sprintf("f^{θ}, θ = %.2f", theta) : "")
-    unset output
-}
-)gnuplot",
-        {{"forces", table(forces)}}};
+        density_script(names, fit,
+                       law_height(fit, forces.bins, forces.density, forces.contact_counts)),
+        {{names.figure, table(forces)}}};
 }
 
 Figure gaps_figure(const GapDistribution& gaps) {
     const PowerLawFit& fit = gaps.small_gaps;
+    const DensityNames names = {"gaps",
+                                "gap",
+                                "pairs",
+                                "gap h",
+                                "pairs per particle and unit of gap",
+                                "top right",
+                                fmt::format("h^{{−γ}}, γ = {:.2f}", -fit.exponent)};
     return {
-        "gaps",
+        names.figure,
         "Gaps between particles",
         fmt::format("Pairs of backbone particles that do not touch, a particle and unit of gap "
                     "h = 2r/(D₁ + D₂) − 1. Near jamming small gaps should follow h^{{−γ}} with γ = "
                     "0.41 (Charbonneau et al., 2015); {}.",
                     exponent_words("h^{−γ}", "γ", -fit.exponent, fit.error)),
-        script_value("fewest", fewest_in_bin) + script_value("exponent", fit.exponent) +
-            script_value("low", fit.low) + script_value("high", fit.high) +
-            script_value("height", law_height(fit, gaps.bins, gaps.density, gaps.pair_counts)) +
-            R"gnuplot(
-set logscale xy
-set format xy "10^{%T}"
-set xlabel "gap h"
-set ylabel "pairs per particle and unit of gap"
-set key top right
-middle(a, b) = sqrt(a*b)
-seen(value, count) = count >= fewest ? value : NaN
-data = "gaps.csv"
-law(x) = x >= low && x <= high ? height*x**exponent : NaN
-set samples 400
-do for [format in "svg png"] {
-    eval(canvas("gaps", format, 640, 420))
-    plot data using (seen(middle(column("gap_low"), column("gap_high")), column("pairs"))):"density": \
-         (column("density")/sqrt(column("pairs"))) \
-         with yerrorbars pointtype 7 pointsize 0.55 linewidth 0.8 linecolor rgb kind_color(1) title "pairs", \
-         law(x) linecolor rgb kind_color(2) linewidth 1.6 title (low < high ? sprintf("h^{−γ}, γ = %.2f", -exponent) : "")
-    unset output
-}
-)gnuplot",
-        {{"gaps", table(gaps)}}};
+        density_script(names, fit, law_height(fit, gaps.bins, gaps.density, gaps.pair_counts)),
+        {{names.figure, table(gaps)}}};
 }
 
 Figure radial_figure(const RadialDistribution& radial) {

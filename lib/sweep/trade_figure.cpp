@@ -37,7 +37,7 @@ Figure trade_figure(std::span<const TradePoint> points) {
             "Speed against accuracy",
             "Error of the volume fraction and of the backbone's coordination against force "
             "evaluations, one point a choice, with standard errors over seeds. The line joins the "
-            "choices that no other beats in both.",
+            "choices that no other beats in both; they bear their names, the table has all.",
             script_value("names", names_of(points)) + R"gnuplot(
 data = "points.csv"
 set datafile missing NaN
@@ -49,20 +49,18 @@ do for [format in "svg png"] {
     set multiplot layout 2,1 margins 0.11,0.97,0.07,0.985 spacing 0.06
     set logscale xy; set format y "10^{%T}"; set format x "10^{%T}"
     set autoscale xfix; set autoscale yfix; set offsets graph 0.04, graph 0.2, graph 0.06, graph 0.06
-    set ylabel "error of the volume fraction φ"; unset xlabel
-    plot data using "evaluations":(of_front("front_of_volume_fraction", "volume_fraction")) smooth unique \
-             with lines linecolor rgb kind_color(1) linewidth 1.6 notitle, \
-         data using "evaluations":(shown("volume_fraction")):"volume_fraction_se" with yerrorbars \
-             linecolor rgb kind_color(2) pointtype 7 pointsize 0.6 notitle, \
-         data using "evaluations":(shown("volume_fraction")):(label_of($0, "front_of_volume_fraction")) \
-             with labels left offset 0.7,0.5 font ",10" noenhanced notitle
-    set ylabel "error of Z_{nr}"; set xlabel "force evaluations"
-    plot data using "evaluations":(of_front("front_of_coordination", "coordination_nr")) smooth unique \
-             with lines linecolor rgb kind_color(1) linewidth 1.6 notitle, \
-         data using "evaluations":(shown("coordination_nr")):"coordination_nr_se" with yerrorbars \
-             linecolor rgb kind_color(2) pointtype 7 pointsize 0.6 notitle, \
-         data using "evaluations":(shown("coordination_nr")):(label_of($0, "front_of_coordination")) \
-             with labels left offset 0.7,0.5 font ",10" noenhanced notitle
+    do for [k = 1:2] {
+        error = word("volume_fraction coordination_nr", k)
+        front = word("front_of_volume_fraction front_of_coordination", k)
+        set ylabel (k == 1 ? "error of the volume fraction φ" : "error of Z_{nr}")
+        set xlabel (k == 1 ? "" : "force evaluations")
+        plot data using "evaluations":(of_front(front, error)) smooth unique \
+                 with lines linecolor rgb kind_color(1) linewidth 1.6 notitle, \
+             data using "evaluations":(shown(error)):(column(error."_se")) with yerrorbars \
+                 linecolor rgb kind_color(2) pointtype 7 pointsize 0.6 notitle, \
+             data using "evaluations":(shown(error)):(label_of($0, front)) \
+                 with labels left offset 0.7,0.5 font ",10" noenhanced notitle
+    }
     unset multiplot
     unset output
 }

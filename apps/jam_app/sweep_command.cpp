@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <optional>
 #include <thread>
@@ -86,6 +87,10 @@ int threads_a_run(const Sweep& sweep, const Machine& machine, Count unfinished) 
     return std::max(1, machine.threads / static_cast<int>(std::max<Count>(1, unfinished)));
 }
 
+/// The end of a run that the sweep stopped before it could heed the signal: nothing was to be
+/// saved.
+constexpr int stopped_unbegun = -SIGTERM;
+
 class SweepSitting {
   public:
     SweepSitting(const Sweep& sweep, const SweepOptions& options)
@@ -154,7 +159,7 @@ class SweepSitting {
         if (ended.status == exit_good) {
             what = "converged";
             statuses_[ended.run] = RunStatus::converged;
-        } else if (ended.status == exit_not_converged) {
+        } else if (ended.status == exit_not_converged || ended.status == stopped_unbegun) {
             what = "stopped";
             statuses_[ended.run] = RunStatus::stopped;
         }

@@ -21,8 +21,6 @@ namespace {
 using namespace test;
 using testing::Each;
 
-constexpr double pi = std::numbers::pi;
-
 Count sum(const std::vector<Count>& counts) {
     return std::accumulate(counts.begin(), counts.end(), Count{0});
 }
@@ -100,7 +98,8 @@ TEST(GapDistribution, OfPointsWithoutOrder) {
     for (int b = 0; b < result.bins.count(); ++b) {
         if (result.pair_counts[b] < 1000) continue;
         const double middle = 0.5 * (result.bins.edges[b] + result.bins.edges[b + 1]);
-        const double expected = number_density * 4.0 * pi * (1.0 + middle) * (1.0 + middle);
+        const double expected =
+            number_density * 4.0 * std::numbers::pi * (1.0 + middle) * (1.0 + middle);
         const double error = expected / std::sqrt(static_cast<double>(result.pair_counts[b]));
         EXPECT_NEAR(result.density[b], expected, 4.0 * error);
     }

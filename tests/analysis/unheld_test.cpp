@@ -17,7 +17,7 @@ using namespace test;
 
 using Directions = std::vector<Vec3>;
 
-const Directions tetrahedron = {Vec3(1, 1, 1) / std::sqrt(3.0), Vec3(1, -1, -1) / std::sqrt(3.0),
+const Directions tetrahedral = {Vec3(1, 1, 1) / std::sqrt(3.0), Vec3(1, -1, -1) / std::sqrt(3.0),
                                 Vec3(-1, 1, -1) / std::sqrt(3.0), Vec3(-1, -1, 1) / std::sqrt(3.0)};
 
 Vec3 random_direction(std::uint64_t seed, int id) {
@@ -31,8 +31,8 @@ Vec3 random_direction(std::uint64_t seed, int id) {
 }
 
 TEST(WithinHalfSpace, ATetrahedronHoldsAndAnyThreeDoNot) {
-    EXPECT_FALSE(within_half_space(tetrahedron));
-    EXPECT_TRUE(within_half_space(std::span(tetrahedron).first(3)));
+    EXPECT_FALSE(within_half_space(tetrahedral));
+    EXPECT_TRUE(within_half_space(std::span(tetrahedral).first(3)));
     EXPECT_TRUE(within_half_space({}));
 }
 

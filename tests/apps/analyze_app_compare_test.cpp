@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // analyze_app compare and convert as a user runs them.
 #include "packing/packing_io.h"
+#include "support/data_folders.h"
 #include "support/packings.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
@@ -19,9 +20,8 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string packings = WIDEJAM_DATA_DIR "/packings/";
-const std::string monodisperse = packings + "lammps_lambda1_p1e-3.dump";
-const std::string power_law = packings + "lammps_lambda5_alpha0.6_p5e-3.dump";
+const std::string monodisperse = packing_folder + "lammps_lambda1_p1e-3.dump";
+const std::string power_law = packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump";
 
 ProgramRun analyze(const std::vector<std::string>& arguments) {
     return run_program(WIDEJAM_ANALYZE_APP, arguments);

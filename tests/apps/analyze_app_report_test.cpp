@@ -3,6 +3,7 @@
 #include "jamming/record.h"
 #include "jamming/scene_file.h"
 #include "packing/packing_io.h"
+#include "support/data_folders.h"
 #include "support/packings.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
@@ -21,8 +22,6 @@ namespace {
 using namespace test;
 using nlohmann::json;
 using testing::HasSubstr;
-
-const std::string packings = WIDEJAM_DATA_DIR "/packings/";
 
 ProgramRun report(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"report", "--samples", "1"});
@@ -76,7 +75,7 @@ void make_runs(const ScratchFolder& folder) {
 TEST(AnalyzeReport, OfOnePackingIsOneFileWithEverything) {
     const ScratchFolder folder;
     const ProgramRun run =
-        report({packings + "lammps_lambda5_alpha0.6_p5e-3.dump", "-o", folder / "out"});
+        report({packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump", "-o", folder / "out"});
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("report.html"));
     const std::string page = content_of(folder / "out/report.html");
@@ -199,8 +198,9 @@ class AnalyzeReportInABrowser : public testing::Test {
 
 TEST_F(AnalyzeReportInABrowser, EveryFigureOfOnePackingIsDrawn) {
     const ScratchFolder folder;
-    ASSERT_EQ(
-        report({packings + "lammps_lambda5_alpha0.6_p5e-3.dump", "-o", folder / "out"}).status, 0);
+    ASSERT_EQ(report({packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump", "-o", folder / "out"})
+                  .status,
+              0);
     expect_all_drawn(folder / "out/report.html", 1 + 8);
 }
 

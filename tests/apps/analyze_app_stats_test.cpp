@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // analyze_app stats as a user runs it, held against what was computed elsewhere.
+#include "support/data_folders.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 
@@ -17,8 +18,6 @@ using namespace test;
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-const std::string packings = WIDEJAM_DATA_DIR "/packings/";
 
 ProgramRun stats(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "stats");
@@ -43,8 +42,9 @@ void expect_close(const json& value, const json& expected, const std::string& wh
 class AnalyzeStats : public testing::TestWithParam<std::string> {};
 
 TEST_P(AnalyzeStats, GivesWhatWasComputedElsewhere) {
-    const json expected = json::parse(std::ifstream(packings + "expected.json")).at(GetParam());
-    const json found = stats_json(packings + GetParam());
+    const json expected =
+        json::parse(std::ifstream(packing_folder + "expected.json")).at(GetParam());
+    const json found = stats_json(packing_folder + GetParam());
     EXPECT_EQ(found["particle_count"], expected["N"]);
     EXPECT_EQ(found["contact_count"], expected["Nc"]);
     EXPECT_EQ(found["rattler_count"], expected["Nr"]);
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Packings, AnalyzeStats,
                          });
 
 TEST(AnalyzeAppStats, KeepsItsKeys) {
-    const json found = stats_json(packings + "lammps_lambda5_alpha0.6_p5e-3.dump");
+    const json found = stats_json(packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump");
     for (const char* key : {"particle_count", "size_ratio", "volume_fraction", "volume_fraction_nr",
                             "coordination", "coordination_nr", "rattler_fraction", "contact_count",
                             "cundall", "pressure", "cell", "kinetic_energy_per_particle"})
@@ -91,7 +91,7 @@ TEST(AnalyzeAppStats, KeepsItsKeys) {
 }
 
 TEST(AnalyzeAppStats, TakesTheRattlerThreshold) {
-    const std::string path = packings + "lammps_lambda5_alpha0.6_p5e-3.dump";
+    const std::string path = packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump";
     const json at_three = stats_json(path);
     const json at_four = stats_json(path, {"--rattler-threshold", "4"});
     EXPECT_EQ(at_three["rattler_threshold"], 3);
@@ -101,7 +101,7 @@ TEST(AnalyzeAppStats, TakesTheRattlerThreshold) {
 }
 
 TEST(AnalyzeAppStats, TheSameTextForAnyThreadCount) {
-    const std::string path = packings + "lammps_lambda1_p1e-3.dump";
+    const std::string path = packing_folder + "lammps_lambda1_p1e-3.dump";
     const std::string reference = stats({path, "--json", "--threads", "1"}).out;
     EXPECT_FALSE(reference.empty());
     for (const char* threads : {"2", "5"})
@@ -109,7 +109,7 @@ TEST(AnalyzeAppStats, TheSameTextForAnyThreadCount) {
 }
 
 TEST(AnalyzeAppStats, TellsPeopleTheSame) {
-    const ProgramRun run = stats({packings + "lammps_lambda5_alpha0.6_p5e-3.dump"});
+    const ProgramRun run = stats({packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump"});
     EXPECT_EQ(run.status, 0);
     EXPECT_THAT(run.out, HasSubstr("3,557"));
     EXPECT_THAT(run.out, HasSubstr("0.71880"));
@@ -155,7 +155,7 @@ TEST(AnalyzeAppStats, RefusesWhatItCannotUse) {
 }
 
 TEST(AnalyzeAppStats, RefusesBadArguments) {
-    const std::string path = packings + "lammps_lambda5_alpha0.6_p5e-3.dump";
+    const std::string path = packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump";
     expect_refused({}, "packing");
     expect_refused({path, "--rattler-threshold", "0"}, "rattler threshold");
     expect_refused({path, "--rattler-threshold", "many"}, "--rattler-threshold");

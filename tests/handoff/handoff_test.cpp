@@ -103,7 +103,7 @@ TEST_F(Handoff, KnowsAShearedPressure) {
 
 TEST_F(Handoff, TakesBackWhatLammpsLeaves) {
     hand_over(power_law, {"contact.stiffness=2", "stop.cundall=1e-5"});
-    write_packing(random_packing(20), folder() / "final.dump");
+    write_packing(example_packing(20), folder() / "final.dump");
     const Scene back = read_scene(folder() / "back.toml");
     EXPECT_EQ(back.start.packing, folder() / "final.dump");
     EXPECT_EQ(back.contact.stiffness, 2.0);
@@ -119,7 +119,7 @@ TEST_F(Handoff, NeverOverwritesOne) {
 }
 
 TEST_F(Handoff, GoesOnWithTheSceneOfAPacking) {
-    Packing packing = random_packing(20);
+    Packing packing = example_packing(20);
     packing.provenance.scene = scene_text(parse_scene(power_law, "scene.toml", {}));
     save_packing(packing, scratch_ / "packing.h5");
     const std::vector<std::string> overrides = {"stop.max_steps=7"};
@@ -130,7 +130,7 @@ TEST_F(Handoff, GoesOnWithTheSceneOfAPacking) {
 }
 
 TEST_F(Handoff, TakesContactAndPressureOfAPackingWithoutAScene) {
-    Packing packing = random_packing(20);
+    Packing packing = example_packing(20);
     packing.provenance.scene.clear();
     packing.material = {ContactLaw::hertz, 3.0, 0.25, 2.0};
     packing.applied_pressure = Mat3::Identity() * 0.01;

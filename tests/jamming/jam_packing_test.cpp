@@ -2,8 +2,8 @@
 #include "jamming/jam_packing.h"
 
 #include "core/check.h"
-#include "core/state_hash.h"
 #include "jamming/checkpoint_file.h"
+#include "support/state_bits.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 
 namespace jam {
 namespace {
+
+using test::bits_of;
 
 /// Jams within seconds.
 Scene quick_scene() {
@@ -33,15 +35,6 @@ Scene quick_scene() {
     scene.run.record_interval = 500;
     scene.run.threads = 1;
     return scene;
-}
-
-std::uint64_t bits_of(const JamState& state) {
-    std::uint64_t hash = state_hash<Sphere>(state.particles.spheres);
-    hash = state_hash<Motion>(state.particles.motions, hash);
-    hash = state_hash<Load>(state.particles.loads, hash);
-    hash = state_hash<std::uint32_t>(state.particles.ids, hash);
-    hash = state_hash(std::span<const double>(state.cell.matrix().data(), 9), hash);
-    return state_hash(std::span<const double>(state.pressure.data(), 9), hash);
 }
 
 TEST(JamPacking, JamsAndSaysByWhichCriteria) {

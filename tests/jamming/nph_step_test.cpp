@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/nph_step.h"
 
-#include "core/state_hash.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -95,7 +93,7 @@ TEST(NphStep, CollisionEndsWithTheRestitutionOfAForceThatNeverPulls) {
 }
 
 /// A small scene in motion, dense enough to have contacts all the time.
-Scene small_scene() {
+Scene small_nph_scene() {
     Scene scene;
     PowerLaw law;
     law.size_ratio = 3.0;
@@ -124,7 +122,7 @@ Moving moving(const Scene& scene) {
 TEST(NphStep, ConservesEnthalpyWithoutDampingToSecondOrder) {
     std::vector<double> drifts;
     for (const double time_step : {0.1, 0.025}) {
-        Scene scene = small_scene();
+        Scene scene = small_nph_scene();
         scene.contact.damping = 0.0;
         scene.protocol.cell_damping = 0.0;
         scene.protocol.time_step = time_step;
@@ -149,7 +147,7 @@ TEST(NphStep, ConservesEnthalpyWithoutDampingToSecondOrder) {
 }
 
 TEST(NphStep, DampingOnlyTakesEnthalpyAway) {
-    Moving run = moving(small_scene());
+    Moving run = moving(small_nph_scene());
     const double first = enthalpy(run.state, run.settings, run.scratch);
     double before = first;
     for (int block = 0; block < 20; ++block) {
@@ -162,7 +160,7 @@ TEST(NphStep, DampingOnlyTakesEnthalpyAway) {
 }
 
 TEST(NphStep, MomentumStaysZero) {
-    Moving run = moving(small_scene());
+    Moving run = moving(small_nph_scene());
     for (int step = 0; step < 1500; ++step) nph_step(run.state, run.settings, run.scratch);
     Vec3 momentum = Vec3::Zero();
     double magnitude = 0.0;
@@ -176,7 +174,7 @@ TEST(NphStep, MomentumStaysZero) {
 
 TEST(NphStep, ASceneWithoutTiltStaysOrthogonalAndAnIsotropicOneKeepsItsShape) {
     for (const FreeCell free_cell : {FreeCell::orthogonal, FreeCell::isotropic}) {
-        Scene scene = small_scene();
+        Scene scene = small_nph_scene();
         scene.protocol.free_cell = free_cell;
         Moving run = moving(scene);
         const Mat3 before = run.state.cell.matrix();
@@ -193,7 +191,7 @@ TEST(NphStep, ASceneWithoutTiltStaysOrthogonalAndAnIsotropicOneKeepsItsShape) {
 }
 
 TEST(NphStep, AutomaticTimeStepFollowsTheStiffestParticle) {
-    Scene scene = small_scene();
+    Scene scene = small_nph_scene();
     const JamState state = start_state(scene);
     const double usual = nph_settings(scene, state).time_step;
     scene.contact.stiffness *= 4.0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/quasistatic.h"
 
-#include "core/state_hash.h"
 #include "jamming/checkpoint_file.h"
 #include "jamming/jam_packing.h"
+#include "support/state_bits.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 
 namespace jam {
 namespace {
+
+using test::bits_of;
 
 Scene small_scene(Count count) {
     Scene scene;
@@ -26,13 +28,6 @@ Scene small_scene(Count count) {
     scene.run.record_interval = 1000;
     scene.run.threads = 1;
     return scene;
-}
-
-std::uint64_t bits_of(const JamState& state) {
-    std::uint64_t hash = state_hash<Sphere>(state.particles.spheres);
-    hash = state_hash<Motion>(state.particles.motions, hash);
-    hash = state_hash<Load>(state.particles.loads, hash);
-    return state_hash(std::span<const double>(state.cell.matrix().data(), 9), hash);
 }
 
 TEST(Quasistatic, ComesToRestAtTheAppliedPressureAndStands) {

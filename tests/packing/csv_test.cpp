@@ -17,21 +17,21 @@ using namespace jam::test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string two_spheres =
+const std::string csv_spheres =
     "# made by hand\r\n"
     "# cell: 10 0 0 -2.5 8 0 1.5 0.5 6\r\n"
     "x, y, z, color, diameter, id\r\n"
     "1, 2, 3, red, 1.5, 8\r\n"
     "-1, 2, 3, blue, +2, 4\r\n\r\n";
 
-Packing read_text(const std::string& text) {
+Packing read_csv_text(const std::string& text) {
     const ScratchFolder folder;
     std::ofstream(folder / "some.csv") << text;
     return read_csv(folder / "some.csv");
 }
 
 TEST(Csv, ReadsColumnsInAnyOrder) {
-    const Packing packing = read_text(two_spheres);
+    const Packing packing = read_csv_text(csv_spheres);
     Mat3 h;
     h << 10, -2.5, 1.5, 0, 8, 0.5, 0, 0, 6;
     EXPECT_EQ(packing.cell.matrix(), h);
@@ -43,7 +43,7 @@ TEST(Csv, ReadsColumnsInAnyOrder) {
 
 TEST(Csv, RoundTripKeepsEveryValue) {
     const ScratchFolder folder;
-    const Packing saved = random_packing(2000);
+    const Packing saved = example_packing(2000);
     write_csv(saved, folder / "packing.csv");
     const Packing read = read_csv(folder / "packing.csv");
     EXPECT_EQ(read.cell.matrix(), saved.cell.matrix());
@@ -55,7 +55,7 @@ TEST(Csv, RoundTripKeepsEveryValue) {
 
 TEST(Csv, SaysFileLineAndRemedy) {
     const auto refusal = [](std::string_view part, std::string_view by) {
-        return refusal_of([&] { read_text(replaced(two_spheres, part, by)); });
+        return refusal_of([&] { read_csv_text(replaced(csv_spheres, part, by)); });
     };
     EXPECT_THAT(refusal("cell:", "box:"), HasSubstr("# cell: ax ay az"));
     EXPECT_THAT(refusal("0.5 6", "6"), HasSubstr("some.csv:2:"));
@@ -66,7 +66,7 @@ TEST(Csv, SaysFileLineAndRemedy) {
     EXPECT_THAT(refusal("1.5, 8", "1.5, 4"), HasSubstr("lines 4 and 5 both have the id 4"));
     EXPECT_THAT(refusal("1, 2, 3, red", "1, , 3, red"), HasSubstr("y is '"));
     EXPECT_THAT(refusal("-1, 2", "\r\n-1, 2"), HasSubstr("follows an empty line"));
-    EXPECT_THAT(refusal_of([] { read_text("# cell: 1 0 0 0 1 0 0 0 1\nx,y,z,diameter\n"); }),
+    EXPECT_THAT(refusal_of([] { read_csv_text("# cell: 1 0 0 0 1 0 0 0 1\nx,y,z,diameter\n"); }),
                 HasSubstr("no spheres"));
 }
 

@@ -17,21 +17,21 @@ using namespace jam::test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string two_spheres =
+const std::string xyz_spheres =
     "2\n"
     "Step=40 Lattice=\"10 0 0 -2.5 8 0 1.5 0.5 6\" note=\"a b=c\" converged Origin=\"1 2 3\" "
     "Properties=radius:R:1:species:S:1:stress:R:2:pos:R:3:velo:R:3 Time=0.25 pbc=\"T T T\"\n"
     "0.5 A 9 9 2 3 4 0.5 0 0\n"
     "0.75 B 9 9 1 2 3 0 0 -1\n";
 
-Packing read_text(const std::string& text) {
+Packing read_xyz_text(const std::string& text) {
     const ScratchFolder folder;
     std::ofstream(folder / "some.xyz") << text;
     return read_extended_xyz(folder / "some.xyz");
 }
 
 TEST(ExtendedXyz, ReadsPropertiesInAnyOrder) {
-    const Packing packing = read_text(two_spheres);
+    const Packing packing = read_xyz_text(xyz_spheres);
     Mat3 h;
     h << 10, -2.5, 1.5, 0, 8, 0.5, 0, 0, 6;
     EXPECT_EQ(packing.cell.matrix(), h);
@@ -44,13 +44,13 @@ TEST(ExtendedXyz, ReadsPropertiesInAnyOrder) {
 }
 
 TEST(ExtendedXyz, TheLastFrame) {
-    const std::string later = replaced(two_spheres, "Step=40", "Step=50");
-    EXPECT_EQ(read_text(two_spheres + later + "\n").step, 50);
+    const std::string later = replaced(xyz_spheres, "Step=40", "Step=50");
+    EXPECT_EQ(read_xyz_text(xyz_spheres + later + "\n").step, 50);
 }
 
 TEST(ExtendedXyz, RoundTripKeepsEveryValue) {
     const ScratchFolder folder;
-    const Packing saved = random_packing(2000);
+    const Packing saved = example_packing(2000);
     write_extended_xyz(saved, folder / "packing.xyz");
     const Packing read = read_extended_xyz(folder / "packing.xyz");
     EXPECT_EQ(read.cell.matrix(), saved.cell.matrix());
@@ -64,7 +64,7 @@ TEST(ExtendedXyz, RoundTripKeepsEveryValue) {
 
 TEST(ExtendedXyz, SaysFileLineAndRemedy) {
     const auto refusal = [](std::string_view part, std::string_view by) {
-        return refusal_of([&] { read_text(replaced(two_spheres, part, by)); });
+        return refusal_of([&] { read_xyz_text(replaced(xyz_spheres, part, by)); });
     };
     EXPECT_THAT(refusal("0.75 B", "0.0 B"), HasSubstr("some.xyz:4: radius is 0.0"));
     EXPECT_THAT(refusal("Lattice", "Cell"), HasSubstr("Lattice="));
@@ -77,7 +77,7 @@ TEST(ExtendedXyz, SaysFileLineAndRemedy) {
     EXPECT_THAT(refusal("2\nStep", "3\nStep"), HasSubstr("ends after 2 of 3"));
     EXPECT_THAT(refusal("2\nStep", "1\nStep"), HasSubstr("not a number of spheres"));
     EXPECT_THAT(refusal("B 9 9 1", "B 9 9 nan"), HasSubstr("x is 'nan'"));
-    EXPECT_THAT(refusal_of([] { read_text(""); }), HasSubstr("the file is empty"));
+    EXPECT_THAT(refusal_of([] { read_xyz_text(""); }), HasSubstr("the file is empty"));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string three_spheres = R"(LAMMPS data file via write_data
+const std::string data_spheres = R"(LAMMPS data file via write_data
 
 3 atoms  # in all
 2 atom types
@@ -46,14 +46,14 @@ Velocities
 7 0 0 -1 0 0 3
 )";
 
-Packing read_text(const std::string& text) {
+Packing read_data_text(const std::string& text) {
     const ScratchFolder folder;
     std::ofstream(folder / "some.data") << text;
     return read_lammps_data(folder / "some.data");
 }
 
 TEST(LammpsData, ReadsWhatWriteDataGives) {
-    const Packing packing = read_text(three_spheres);
+    const Packing packing = read_data_text(data_spheres);
     Mat3 h;
     h << 10, -2.5, 1.5, 0, 8, 0.5, 0, 0, 6;
     EXPECT_EQ(packing.cell.matrix(), h);
@@ -65,11 +65,11 @@ TEST(LammpsData, ReadsWhatWriteDataGives) {
 }
 
 TEST(LammpsData, ReadsWithoutImagesTiltOrVelocities) {
-    std::string text = three_spheres.substr(0, three_spheres.find("\nVelocities"));
+    std::string text = data_spheres.substr(0, data_spheres.find("\nVelocities"));
     text = replaced(text, "-2.5 1.5 0.5 xy xz yz\n", "");
     for (const char* images : {" 0 -1 2\n", " 0 0 0\n", " 1 0 0\n"})
         text = replaced(text, images, "\n");
-    const Packing packing = read_text(replaced(text, " # sphere", ""));
+    const Packing packing = read_data_text(replaced(text, " # sphere", ""));
     EXPECT_TRUE(packing.cell.is_orthogonal());
     EXPECT_TRUE(packing.velocities.empty());
     EXPECT_EQ(packing.positions[1], Vec3(9, 1, 0));
@@ -77,7 +77,7 @@ TEST(LammpsData, ReadsWithoutImagesTiltOrVelocities) {
 
 TEST(LammpsData, RoundTripKeepsEveryValue) {
     const ScratchFolder folder;
-    const Packing saved = random_packing(2000);
+    const Packing saved = example_packing(2000);
     write_lammps_data(saved, folder / "packing.data");
     const Packing read = read_lammps_data(folder / "packing.data");
     EXPECT_EQ(read.cell.matrix(), saved.cell.matrix());
@@ -90,7 +90,7 @@ TEST(LammpsData, RoundTripKeepsEveryValue) {
 
 TEST(LammpsData, WritesTheCellReducedAsTheSameLattice) {
     const ScratchFolder folder;
-    Packing packing = random_packing(4);
+    Packing packing = example_packing(4);
     Mat3 h;
     h << 8, 15, -6, 0, 4, 3, 0, 0, 5;
     packing.cell = PeriodicCell(h);
@@ -104,7 +104,7 @@ TEST(LammpsData, WritesTheCellReducedAsTheSameLattice) {
 
 TEST(LammpsData, SaysFileLineAndRemedy) {
     const auto refusal = [](std::string_view part, std::string_view by) {
-        return refusal_of([&] { read_text(replaced(three_spheres, part, by)); });
+        return refusal_of([&] { read_data_text(replaced(data_spheres, part, by)); });
     };
     EXPECT_THAT(refusal("1.5 2.5 0 3", "-1.5 2.5 0 3"),
                 AllOf(HasSubstr("some.data:18:"), HasSubstr("diameter is -1.5")));
@@ -120,7 +120,7 @@ TEST(LammpsData, SaysFileLineAndRemedy) {
     EXPECT_THAT(refusal("0.25 0 0 0 2", "0.25"), HasSubstr("give all four"));
     EXPECT_THAT(refusal("0.25", "inf"), HasSubstr("finite"));
     EXPECT_THAT(refusal("Atoms #", "Bodies #"), HasSubstr("Atoms must come before"));
-    EXPECT_THAT(refusal_of([&] { read_text("nothing\n"); }), HasSubstr("no section Atoms"));
+    EXPECT_THAT(refusal_of([&] { read_data_text("nothing\n"); }), HasSubstr("no section Atoms"));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string two_spheres = R"(ITEM: TIMESTEP
+const std::string dump_spheres = R"(ITEM: TIMESTEP
 700
 ITEM: NUMBER OF ATOMS
 2
@@ -33,18 +33,18 @@ ITEM: ATOMS vx id z y x radius vy type vz
 0 -4 6 3 -1.5 0.5 0 1 0
 )";
 
-Packing read_text(const std::string& text, Count frame = last_frame) {
+Packing read_dump_text(const std::string& text, Count frame = last_frame) {
     const ScratchFolder folder;
     std::ofstream(folder / "some.dump") << text;
     return read_lammps_dump(folder / "some.dump", frame);
 }
 
-std::string refusal_of_text(const std::string& text, Count frame = last_frame) {
-    return refusal_of([&] { read_text(text, frame); });
+std::string refusal_of_dump(const std::string& text, Count frame = last_frame) {
+    return refusal_of([&] { read_dump_text(text, frame); });
 }
 
 TEST(LammpsDump, ReadsColumnsInAnyOrderAndTakesOffTheOrigin) {
-    const Packing packing = read_text(two_spheres);
+    const Packing packing = read_dump_text(dump_spheres);
     EXPECT_EQ(packing.step, 700);
     EXPECT_EQ(packing.cell.matrix(), Mat3(Vec3(10, 8, 6).asDiagonal()));
     EXPECT_THAT(packing.ids, ElementsAre(12, -4));
@@ -55,13 +55,13 @@ TEST(LammpsDump, ReadsColumnsInAnyOrderAndTakesOffTheOrigin) {
 
 TEST(LammpsDump, ReadsScaledAndUnwrappedPositions) {
     const std::string rows = "ITEM: ATOMS diameter xs ys zs\n1 0.25 0.5 0.75\n1 1.25 0 -0.5\n";
-    const std::string header = two_spheres.substr(0, two_spheres.find("ITEM: ATOMS"));
-    const Packing scaled = read_text(header + rows);
+    const std::string header = dump_spheres.substr(0, dump_spheres.find("ITEM: ATOMS"));
+    const Packing scaled = read_dump_text(header + rows);
     EXPECT_THAT(scaled.positions, ElementsAre(Vec3(2.5, 4, 4.5), Vec3(12.5, 0, -3)));
     EXPECT_THAT(scaled.ids, ElementsAre(1, 2));
     EXPECT_TRUE(scaled.velocities.empty());
     const Packing unwrapped =
-        read_text(header + "ITEM: ATOMS diameter xu yu zu\n1 -1 2 0.5\n1 29 2 0.5\n");
+        read_dump_text(header + "ITEM: ATOMS diameter xu yu zu\n1 -1 2 0.5\n1 29 2 0.5\n");
     EXPECT_THAT(unwrapped.positions, ElementsAre(Vec3(0, 0, 0), Vec3(30, 0, 0)));
 }
 
@@ -86,7 +86,7 @@ TEST(LammpsDump, FindsTheCellInsideTheBoxAroundIt) {
             for (const double yz : {-1.25, 0.0, 0.5}) {
                 Mat3 h;
                 h << 8.0, xy, xz, 0.0, 4.0, yz, 0.0, 0.0, 5.0;
-                const Packing packing = read_text(
+                const Packing packing = read_dump_text(
                     header_of(h, origin) + "ITEM: ATOMS id diameter x y z\n1 1 -3.25 0.5 8\n");
                 EXPECT_EQ(packing.cell.matrix(), h) << xy << ' ' << xz << ' ' << yz;
                 EXPECT_EQ(packing.positions[0], Vec3(0, 0, 1));
@@ -96,7 +96,7 @@ TEST(LammpsDump, FindsTheCellInsideTheBoxAroundIt) {
 TEST(LammpsDump, WritesTheBoxAroundTheCell) {
     const ScratchFolder folder;
     for (const double sign : {-1.0, 1.0}) {
-        Packing packing = random_packing(1);
+        Packing packing = example_packing(1);
         Mat3 h;
         h << 8.0, sign * 1.5, -sign * 2.25, 0.0, 4.0, sign * 0.5, 0.0, 0.0, 5.0;
         packing.cell = PeriodicCell(h);
@@ -108,17 +108,17 @@ TEST(LammpsDump, WritesTheBoxAroundTheCell) {
 }
 
 TEST(LammpsDump, TheLastFrameUnlessToldOtherwise) {
-    const std::string later = replaced(replaced(two_spheres, "700", "900"), "0.75", "2");
-    EXPECT_EQ(read_text(two_spheres + later).step, 900);
-    EXPECT_EQ(read_text(two_spheres + later).diameters[0], 4.0);
-    EXPECT_EQ(read_text(two_spheres + later, 0).step, 700);
-    EXPECT_EQ(read_text(two_spheres + later, 1).step, 900);
-    EXPECT_THAT(refusal_of_text(two_spheres + later, 2), HasSubstr("holds 2 frames"));
+    const std::string later = replaced(replaced(dump_spheres, "700", "900"), "0.75", "2");
+    EXPECT_EQ(read_dump_text(dump_spheres + later).step, 900);
+    EXPECT_EQ(read_dump_text(dump_spheres + later).diameters[0], 4.0);
+    EXPECT_EQ(read_dump_text(dump_spheres + later, 0).step, 700);
+    EXPECT_EQ(read_dump_text(dump_spheres + later, 1).step, 900);
+    EXPECT_THAT(refusal_of_dump(dump_spheres + later, 2), HasSubstr("holds 2 frames"));
 }
 
 TEST(LammpsDump, RoundTripKeepsEveryValue) {
     const ScratchFolder folder;
-    const Packing saved = random_packing(2000);
+    const Packing saved = example_packing(2000);
     write_lammps_dump(saved, folder / "packing.dump");
     const Packing read = read_lammps_dump(folder / "packing.dump");
     EXPECT_EQ(read.positions, saved.positions);
@@ -132,7 +132,7 @@ TEST(LammpsDump, RoundTripKeepsEveryValue) {
 
 TEST(LammpsDump, ShiftsIdsThatLammpsWouldRefuse) {
     const ScratchFolder folder;
-    Packing packing = random_packing(3);
+    Packing packing = example_packing(3);
     packing.ids = {0, 2, 1};
     packing.velocities.clear();
     write_lammps_dump(packing, folder / "packing.dump");
@@ -161,7 +161,7 @@ TEST(LammpsDump, ReadsWhatLammpsWrote) {
 
 TEST(LammpsDump, SaysFileLineAndRemedy) {
     const auto refusal = [](std::string_view part, std::string_view by) {
-        return refusal_of_text(replaced(two_spheres, part, by));
+        return refusal_of_dump(replaced(dump_spheres, part, by));
     };
     EXPECT_THAT(refusal("0.75", "nan"), AllOf(HasSubstr("some.dump:10:"), HasSubstr("radius")));
     EXPECT_THAT(refusal("0.75", "0"), HasSubstr("above zero"));
@@ -181,14 +181,14 @@ TEST(LammpsDump, SaysFileLineAndRemedy) {
     EXPECT_THAT(refusal("radius", "x"), HasSubstr("two columns hold x"));
     EXPECT_THAT(refusal("vx id z", "q id z"), HasSubstr("give all or none"));
     EXPECT_THAT(refusal("ITEM: TIMESTEP", "LAMMPS data"), HasSubstr("some.dump:1:"));
-    EXPECT_THAT(refusal_of_text(""), HasSubstr("the file is empty"));
-    EXPECT_THAT(refusal_of_text(std::string(3 << 20, 'x')), HasSubstr("longer than a line"));
+    EXPECT_THAT(refusal_of_dump(""), HasSubstr("the file is empty"));
+    EXPECT_THAT(refusal_of_dump(std::string(3 << 20, 'x')), HasSubstr("longer than a line"));
 }
 
 TEST(LammpsDump, AnyTruncationIsRefused) {
-    const std::size_t last_row = two_spheres.rfind(" 0 1 0");
+    const std::size_t last_row = dump_spheres.rfind(" 0 1 0");
     for (std::size_t length = 0; length < last_row; ++length)
-        EXPECT_NE(refusal_of_text(two_spheres.substr(0, length)), "") << length;
+        EXPECT_NE(refusal_of_dump(dump_spheres.substr(0, length)), "") << length;
 }
 
 }  // namespace

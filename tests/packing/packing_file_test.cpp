@@ -27,7 +27,7 @@ using testing::HasSubstr;
 TEST(PackingFile, GivesBackTheSameBits) {
     const ScratchFolder folder;
     for (const Index size : {1, 6, 3000}) {
-        const Packing saved = random_packing(size);
+        const Packing saved = example_packing(size);
         save_packing(saved, folder / "packing.h5");
         expect_same_bits(load_packing(folder / "packing.h5"), saved);
     }
@@ -35,7 +35,7 @@ TEST(PackingFile, GivesBackTheSameBits) {
 
 TEST(PackingFile, KeepsAPackingAtRestWithEmptyTexts) {
     const ScratchFolder folder;
-    Packing saved = random_packing(20);
+    Packing saved = example_packing(20);
     saved.velocities.clear();
     saved.provenance = {};
     saved.material.law = ContactLaw::hooke;
@@ -45,7 +45,7 @@ TEST(PackingFile, KeepsAPackingAtRestWithEmptyTexts) {
 
 TEST(PackingFile, SamePackingGivesTheSameBytes) {
     const ScratchFolder folder;
-    const Packing packing = random_packing(500);
+    const Packing packing = example_packing(500);
     save_packing(packing, folder / "first.h5");
     save_packing(packing, folder / "second.h5");
     EXPECT_EQ(content_of(folder / "first.h5"), content_of(folder / "second.h5"));
@@ -53,7 +53,7 @@ TEST(PackingFile, SamePackingGivesTheSameBytes) {
 
 TEST(PackingFile, HoldsObservablesAndContactsById) {
     const ScratchFolder folder;
-    const Packing packing = random_packing(50);
+    const Packing packing = example_packing(50);
     const std::vector<std::array<Index, 2>> pairs = {{0, 4}, {3, 49}};
     PackingExtras extras;
     extras.numbers = {{"phi", 0.64}, {"Z", 5.9}};
@@ -79,7 +79,7 @@ TEST(PackingFile, HoldsObservablesAndContactsById) {
 
 TEST(PackingFile, RefusesToSaveWhatCouldNotBeReadBack) {
     const ScratchFolder folder;
-    Packing packing = random_packing(10);
+    Packing packing = example_packing(10);
     packing.positions[3][1] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(save_packing(packing, folder / "packing.h5"), InputError);
     EXPECT_TRUE(fs::is_empty(folder.path()));
@@ -87,7 +87,7 @@ TEST(PackingFile, RefusesToSaveWhatCouldNotBeReadBack) {
 
 TEST(PackingFile, SaysWhatIsWrongWithAPath) {
     const ScratchFolder folder;
-    const Packing packing = random_packing(3);
+    const Packing packing = example_packing(3);
     EXPECT_THAT(refusal_of([&] { load_packing(folder / "absent.h5"); }),
                 HasSubstr("there is no such file"));
     EXPECT_THAT(refusal_of([&] { load_packing(folder.path()); }), HasSubstr("is a folder"));
@@ -119,7 +119,7 @@ void expect_same_or_refused(const fs::path& path, const Packing& saved) {
 
 TEST(PackingFile, AnyTruncationIsRefused) {
     const ScratchFolder folder;
-    save_packing(random_packing(400), folder / "whole.h5");
+    save_packing(example_packing(400), folder / "whole.h5");
     const std::string whole = content_of(folder / "whole.h5");
     for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 97) {
         std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, length);
@@ -129,7 +129,7 @@ TEST(PackingFile, AnyTruncationIsRefused) {
 
 TEST(PackingFile, BitRotIsNoticedOrHarmless) {
     const ScratchFolder folder;
-    const Packing saved = random_packing(200);
+    const Packing saved = example_packing(200);
     save_packing(saved, folder / "whole.h5");
     const std::string whole = content_of(folder / "whole.h5");
     for (std::size_t place = 0; place < whole.size(); place += 31) {
@@ -157,9 +157,9 @@ int with_file_size_limit(rlim_t bytes, Action&& action) {
 
 TEST(PackingFile, AFullDiskLeavesTheEarlierFileAndNoOther) {
     const ScratchFolder folder;
-    const Packing earlier = random_packing(30);
+    const Packing earlier = example_packing(30);
     save_packing(earlier, folder / "packing.h5");
-    const Packing later = random_packing(20000);
+    const Packing later = example_packing(20000);
     for (const rlim_t limit : {rlim_t{0}, rlim_t{1000}, rlim_t{100000}, rlim_t{1000000}}) {
         const int status = with_file_size_limit(limit, [&] {
             const std::string error =
@@ -176,7 +176,7 @@ TEST(PackingFile, AFolderWithoutPermissionIsNamed) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
     const ScratchFolder folder;
     fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_THAT(refusal_of([&] { save_packing(random_packing(3), folder / "packing.h5"); }),
+    EXPECT_THAT(refusal_of([&] { save_packing(example_packing(3), folder / "packing.h5"); }),
                 HasSubstr("choose a folder that you may write to"));
     fs::permissions(folder.path(), fs::perms::owner_all);
 }

@@ -20,7 +20,7 @@ using testing::Not;
 
 TEST(PackingIo, EveryFormatGivesBackDiametersPositionsAndCell) {
     const ScratchFolder folder;
-    const Packing saved = random_packing(300);
+    const Packing saved = example_packing(300);
     for (const std::string_view name : {"a.h5", "a.dump", "a.data", "a.xyz", "a.csv"}) {
         write_packing(saved, folder / name);
         const Packing read = read_packing(folder / name);
@@ -33,7 +33,7 @@ TEST(PackingIo, EveryFormatGivesBackDiametersPositionsAndCell) {
 
 TEST(PackingIo, SaysWhatIsLostAndNothingElseIs) {
     const ScratchFolder folder;
-    const Packing packing = random_packing(20);
+    const Packing packing = example_packing(20);
     EXPECT_EQ(what_is_lost(packing, "a.h5"), "");
     EXPECT_THAT(what_is_lost(packing, "a.dump"),
                 AllOf(HasSubstr("a.dump: a LAMMPS dump does not hold the time"),
@@ -64,7 +64,7 @@ TEST(PackingIo, ABarePackingLosesNothingAnywhere) {
 
 TEST(PackingIo, KnowsContentWhereTheNameDoesNotSay) {
     const ScratchFolder folder;
-    const Packing saved = random_packing(5);
+    const Packing saved = example_packing(5);
     for (const char* name : {"a.h5", "a.dump"}) {
         write_packing(saved, folder / name);
         std::filesystem::rename(folder / name, folder / "dump.1000");
@@ -75,7 +75,7 @@ TEST(PackingIo, KnowsContentWhereTheNameDoesNotSay) {
 TEST(PackingIo, ASpoiltTextIsReadOrRefusedButNeverWorse) {
     const ScratchFolder folder;
     for (const std::string_view name : {"a.dump", "a.data", "a.xyz", "a.csv"}) {
-        write_packing(random_packing(3), folder / name);
+        write_packing(example_packing(3), folder / name);
         const std::string whole = content_of(folder / name);
         const std::string spoilers("\n -x9\0\"", 7);
         int refused = 0;
@@ -90,7 +90,7 @@ TEST(PackingIo, ASpoiltTextIsReadOrRefusedButNeverWorse) {
 }
 
 TEST(PackingIo, NamesTheFormatsWhenThereIsNone) {
-    const Packing packing = random_packing(5);
+    const Packing packing = example_packing(5);
     const auto one_of = HasSubstr("must be .h5, .dump, .data, .xyz or .csv");
     EXPECT_THAT(refusal_of([&] { write_packing(packing, "packing.gsd"); }), one_of);
     EXPECT_THAT(refusal_of([&] { what_is_lost(packing, "packing"); }), one_of);

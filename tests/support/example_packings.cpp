@@ -39,7 +39,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
 
 }  // namespace
 
-Packing random_packing(Index size) {
+Packing example_packing(Index size) {
     Packing packing;
     Mat3 h;
     h << 10.0 / 3.0, -0.7, 0.4, 0.0, 4.1, -1.3, 0.0, 0.0, 5.9;

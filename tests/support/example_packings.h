@@ -8,7 +8,7 @@ namespace jam::test {
 
 /// `size` spheres in a tilted cell, with velocities, shuffled ids above zero and every other member
 /// set to something unlike its default.
-Packing random_packing(Index size);
+Packing example_packing(Index size);
 
 /// Fails the running test unless every bit of every member is the same.
 void expect_same_bits(const Packing& packing, const Packing& expected);

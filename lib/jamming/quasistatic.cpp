@@ -28,15 +28,19 @@ constexpr Count steps_between_looks = 10;
 constexpr Count fewest_steps_of_a_rung = 20;
 constexpr double pressure_error_of_a_rung = 1e-3;
 
-// When Newton's method is worth a trial, and how long to relax before the next.
+// When Newton's method is worth a trial, how long to relax at least before the next, and how often
+// to ask whether the relaxation has come to rest by itself: the answer takes a factorization.
 constexpr double cundall_for_newton = 1e-5;
 constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
+constexpr Count steps_between_verdicts = 1'000;
 
-/// The last rung is given this many times a rung's steps before the ladder is climbed again.
+// The last rung is given this many times a rung's steps before the ladder is climbed again: few if
+// contacts miss to isostaticity, more while the network stands.
 constexpr Count patience = 3;
-constexpr double climb = 4.0;  // in pressure
+constexpr Count patience_with_a_network = 12;
+constexpr double climb_in_pressure = 4.0;
 
 /// The automatic one of the settings, made longer.
 double compaction_time_step(const QuasistaticSettings& settings,
@@ -80,8 +84,8 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
     const double automatic = automatic_compaction_pressure(scene.contact, diameters);
     settings.first_pressure = std::max(protocol.ladder.compaction_pressure.value_or(automatic),
                                        settings.applied_pressure);
-    settings.climbed_pressure =
-        std::min(std::max(automatic, settings.first_pressure), climb * settings.applied_pressure);
+    settings.climbed_pressure = std::min(std::max(automatic, settings.first_pressure),
+                                         climb_in_pressure * settings.applied_pressure);
 
     Scene compaction = scene;
     compaction.protocol.masses = Masses::diameter;
@@ -103,7 +107,8 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
 }
 
 QuasistaticRun::QuasistaticRun(const Scene& scene, JamState& state)
-    : state_(state),
+    : scene_(scene),
+      state_(state),
       protocol_(scene.protocol),
       lists_(scene.run.lists),
       diameters_(diameters_by_id(state.particles)) {
@@ -209,15 +214,32 @@ double QuasistaticRun::error_of_pressure() const {
 
 void QuasistaticRun::finish() {
     const Count steps = state_.step - state_.quasistatic.rung_begin;
-    if (state_.step < state_.quasistatic.next_trial) return;
     const double cundall = relaxation_->cundall();
     const bool near = cundall <= cundall_for_newton ||
                       (steps >= steps_to_a_late_trial && cundall <= cundall_for_a_late_trial);
-    if (near && settings_.newton_serves) try_newton();
-    at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
-               error_of_pressure() <= settings_.stop.pressure;
-    if (near) state_.quasistatic.next_trial = state_.step + steps_between_trials;
-    if (at_rest_ || steps < patience * settings_.ladder.most_steps) return;
+    const bool trial =
+        near && settings_.newton_serves && state_.step >= state_.quasistatic.next_trial;
+    if (trial) {
+        try_newton();
+        // What has failed is tried ever more rarely: it costs as much as thousands of steps.
+        state_.quasistatic.next_trial = state_.step + std::max(steps_between_trials, steps);
+    }
+    if (trial || steps % steps_between_verdicts == 0)
+        at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
+                   error_of_pressure() <= settings_.stop.pressure;
+    if (!at_rest_ && !near && network_is_lost(steps)) climb();
+}
+
+/// Looked at once in as many steps as a rung may take.
+bool QuasistaticRun::network_is_lost(Count steps) const {
+    const Count rungs = steps / settings_.ladder.most_steps;
+    if (rungs < patience || steps % settings_.ladder.most_steps >= steps_between_looks)
+        return false;
+    return rungs >= patience_with_a_network ||
+           measure(state_, scene_).statistics.excess_contact_count() < 0;
+}
+
+void QuasistaticRun::climb() {
     if (settings_.climbed_pressure <= settings_.applied_pressure) return;
     ++state_.quasistatic.retreats;
     begin_rung(settings_.climbed_pressure);

@@ -38,6 +38,7 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
 /// A run by this protocol, one step at a time. All that decides how it goes on is in the state.
 class QuasistaticRun {
   public:
+    /// Both must outlive the run.
     QuasistaticRun(const Scene& scene, JamState& state);
 
     /// Lists and forces, for a new state or one from a checkpoint.
@@ -62,10 +63,13 @@ class QuasistaticRun {
     void end_rung();
     void relax();
     void finish();
+    bool network_is_lost(Count steps) const;
+    void climb();
     void try_newton();
     double error_of_pressure() const;
     Mat3 rung_pressure() const;
 
+    const Scene& scene_;
     JamState& state_;
     QuasistaticSettings settings_;
     ProtocolSettings protocol_;

@@ -227,11 +227,11 @@ void QuasistaticRun::finish() {
     if (trial || steps % steps_between_verdicts == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    error_of_pressure() <= settings_.stop.pressure;
-    if (!at_rest_ && !near && network_is_lost(steps)) climb();
+    if (!at_rest_ && !near && patience_is_over(steps)) climb();
 }
 
-/// Looked at once in as many steps as a rung may take.
-bool QuasistaticRun::network_is_lost(Count steps) const {
+/// Asked once in as many steps as a rung may take: contacts must be counted for it.
+bool QuasistaticRun::patience_is_over(Count steps) const {
     const Count rungs = steps / settings_.ladder.most_steps;
     if (rungs < patience || steps % settings_.ladder.most_steps >= steps_between_looks)
         return false;

@@ -63,7 +63,7 @@ class QuasistaticRun {
     void end_rung();
     void relax();
     void finish();
-    bool network_is_lost(Count steps) const;
+    bool patience_is_over(Count steps) const;
     void climb();
     void try_newton();
     double error_of_pressure() const;

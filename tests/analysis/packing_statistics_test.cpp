@@ -16,6 +16,7 @@ namespace jam {
 namespace {
 
 using namespace test;
+using std::numbers::pi;
 
 PackingStatistics statistics_of(const Packing& packing, int threshold = 3) {
     return packing_statistics(packing, find_force_network(packing, threshold));
@@ -36,8 +37,8 @@ void expect_crystal(const Packing& packing, int neighbors, double apart) {
     EXPECT_DOUBLE_EQ(statistics.coordination_nr, neighbors);
     EXPECT_EQ(statistics.rattler_count, 0);
     const double volume = packing.cell.volume();
-    EXPECT_NEAR(statistics.volume_fraction,
-                count * std::numbers::pi / 6.0 * std::pow(diameter, 3) / volume, 1e-14);
+    EXPECT_NEAR(statistics.volume_fraction, count * pi / 6.0 * std::pow(diameter, 3) / volume,
+                1e-14);
     const double pressure = count * neighbors / 2.0 * (diameter - apart) * apart / (3.0 * volume);
     expect_near(statistics.pressure, Mat3::Identity() * pressure, 1e-13);
     EXPECT_NEAR(statistics.cundall, 0.0, 1e-12);
@@ -71,14 +72,12 @@ TEST(PackingStatistics, TwoSpheresByHand) {
     EXPECT_DOUBLE_EQ(statistics.coordination, 1.0);
     EXPECT_DOUBLE_EQ(statistics.coordination_nr, 0.0);
     EXPECT_DOUBLE_EQ(statistics.volume_fraction_nr, 0.0);
-    EXPECT_NEAR(statistics.volume_fraction,
-                std::numbers::pi / 6.0 * (1.0 + std::pow(2.2, 3)) / 400.0, 1e-15);
+    EXPECT_NEAR(statistics.volume_fraction, pi / 6.0 * (1.0 + std::pow(2.2, 3)) / 400.0, 1e-15);
     const Vec3 normal(0.8, 0.6, 0.0);
     expect_near(statistics.pressure, 0.1 * 1.5 / 400.0 * normal * normal.transpose(), 1e-16);
     EXPECT_NEAR(statistics.cundall, 2.0, 1e-13);
     EXPECT_NEAR(statistics.largest_overlap, 0.1 / 1.0, 1e-14);
-    const double energy =
-        std::numbers::pi / 6.0 * (0.25 + std::pow(2.2, 3) * 0.01);  // density 2 times 1/2
+    const double energy = pi / 6.0 * (0.25 + std::pow(2.2, 3) * 0.01);  // density 2 times 1/2
     EXPECT_NEAR(statistics.kinetic_energy_per_particle, energy / 2.0, 1e-15);
     EXPECT_EQ(statistics.cell, edges);
 }
@@ -111,7 +110,7 @@ TEST(PackingStatistics, BackboneLeavesRattlersOut) {
     EXPECT_EQ(statistics.contact_count_nr, 8 * 5 / 2);
     EXPECT_DOUBLE_EQ(statistics.coordination_nr, 5.0);
     EXPECT_NEAR(statistics.volume_fraction - statistics.volume_fraction_nr,
-                std::numbers::pi / 6.0 * 0.125 / packing.cell.volume(), 1e-14);
+                pi / 6.0 * 0.125 / packing.cell.volume(), 1e-14);
 }
 
 TEST(StaticPressure, IsMinusTheDerivativeOfTheEnergy) {

@@ -19,6 +19,7 @@ namespace jam {
 namespace {
 
 using namespace test;
+using std::numbers::pi;
 using testing::Each;
 
 Count sum(const std::vector<Count>& counts) {
@@ -98,8 +99,7 @@ TEST(GapDistribution, OfPointsWithoutOrder) {
     for (int b = 0; b < result.bins.count(); ++b) {
         if (result.pair_counts[b] < 1000) continue;
         const double middle = 0.5 * (result.bins.edges[b] + result.bins.edges[b + 1]);
-        const double expected =
-            number_density * 4.0 * std::numbers::pi * (1.0 + middle) * (1.0 + middle);
+        const double expected = number_density * 4.0 * pi * (1.0 + middle) * (1.0 + middle);
         const double error = expected / std::sqrt(static_cast<double>(result.pair_counts[b]));
         EXPECT_NEAR(result.density[b], expected, 4.0 * error);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // analyze_app picture as a user runs it.
 #include "report/png_file.h"
+#include "support/data_folders.h"
 #include "support/run_program.h"
 #include "support/scratch_folder.h"
 
@@ -13,7 +14,7 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 
-const std::string packing = WIDEJAM_DATA_DIR "/packings/lammps_lambda5_alpha0.6_p5e-3.dump";
+const std::string packing = test::packing_folder + "lammps_lambda5_alpha0.6_p5e-3.dump";
 
 ProgramRun picture(const std::filesystem::path& output, std::vector<std::string> more) {
     std::vector<std::string> arguments = {"picture", packing, "-o", output.string()};

@@ -2,6 +2,7 @@
 #include "packing/lammps_dump.h"
 
 #include "core/check.h"
+#include "support/data_folders.h"
 #include "support/example_packings.h"
 #include "support/refusals.h"
 #include "support/scratch_folder.h"
@@ -140,11 +141,10 @@ TEST(LammpsDump, ShiftsIdsThatLammpsWouldRefuse) {
 }
 
 TEST(LammpsDump, ReadsWhatLammpsWrote) {
-    std::ifstream file(WIDEJAM_DATA_DIR "/packings/expected.json");
+    std::ifstream file(packing_folder + "expected.json");
     const nlohmann::json expected = nlohmann::json::parse(file);
     for (const auto& [name, values] : expected.items()) {
-        const Packing packing =
-            read_lammps_dump(std::filesystem::path(WIDEJAM_DATA_DIR "/packings") / name);
+        const Packing packing = read_lammps_dump(packing_folder + name);
         EXPECT_EQ(packing.size(), values["N"].get<Count>());
         const Mat3& h = packing.cell.matrix();
         const std::array<double, 3> tilt = {h(0, 1) / h(0, 0), h(0, 2) / h(0, 0),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One number for all that a run's next step depends on.
+// One number for the particles, the cell and the pressure of a run.
 #pragma once
 
 #include "jamming/jam_state.h"

@@ -38,6 +38,7 @@ struct QuasistaticState {
     double pressure = 0.0;  ///< mean applied pressure of the rung; 0: the run has not begun
     Count rung_begin = 0;   ///< step at which the rung began
     Count next_trial = 0;   ///< step from which the end of the last rung is tried again
+    Count last_whole = 0;   ///< step at which the last rung was last seen without missing contacts
     int retreats = 0;       ///< times that the ladder was climbed again, in smaller steps
 };
 

@@ -36,10 +36,11 @@ constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
 constexpr Count steps_between_verdicts = 1'000;
 
-// The last rung is given this many times a rung's steps before the ladder is climbed again: few if
-// contacts miss to isostaticity, more while the network stands.
+// The ladder is climbed again when contacts have been missing to isostaticity, whenever asked, for
+// this many times a rung's steps. Contacts flicker while an event passes, so one look proves
+// nothing; and while the network stands the last rung is where it comes to rest soonest.
 constexpr Count patience = 3;
-constexpr Count patience_with_a_network = 12;
+constexpr Count counts_in_a_rung = 4;
 constexpr double climb_in_pressure = 4.0;
 
 /// The automatic one of the settings, made longer.
@@ -183,6 +184,7 @@ void QuasistaticRun::begin_rung(double pressure) {
     state_.quasistatic.pressure = pressure;
     state_.quasistatic.rung_begin = state_.step;
     state_.quasistatic.next_trial = state_.step;
+    state_.quasistatic.last_whole = state_.step;
     settings_.relax.pressure = rung_pressure();
 }
 
@@ -227,16 +229,15 @@ void QuasistaticRun::finish() {
     if (trial || steps % steps_between_verdicts == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    error_of_pressure() <= settings_.stop.pressure;
-    if (!at_rest_ && !near && patience_is_over(steps)) climb();
+    const Count between_counts = settings_.ladder.most_steps / counts_in_a_rung;
+    if (steps % std::max(Count{1}, between_counts) < steps_between_looks) count_missing_contacts();
 }
 
-/// Asked once in as many steps as a rung may take: contacts must be counted for it.
-bool QuasistaticRun::patience_is_over(Count steps) const {
-    const Count rungs = steps / settings_.ladder.most_steps;
-    if (rungs < patience || steps % settings_.ladder.most_steps >= steps_between_looks)
-        return false;
-    return rungs >= patience_with_a_network ||
-           measure(state_, scene_).statistics.excess_contact_count() < 0;
+void QuasistaticRun::count_missing_contacts() {
+    if (measure(state_, scene_).statistics.excess_contact_count() >= 0)
+        state_.quasistatic.last_whole = state_.step;
+    else if (state_.step - state_.quasistatic.last_whole >= patience * settings_.ladder.most_steps)
+        climb();
 }
 
 void QuasistaticRun::climb() {

@@ -63,7 +63,7 @@ class QuasistaticRun {
     void end_rung();
     void relax();
     void finish();
-    bool patience_is_over(Count steps) const;
+    void count_missing_contacts();
     void climb();
     void try_newton();
     double error_of_pressure() const;

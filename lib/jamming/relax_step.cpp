@@ -12,7 +12,6 @@ namespace jam {
 
 namespace {
 
-constexpr Count block_size = ContactTiles::particles_per_block;
 constexpr int steps_between_renewals = 20;
 
 // FIRE's own numbers, as published, but for the shorter cut of the time step.
@@ -58,11 +57,11 @@ void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scra
     Particles& particles = state.particles;
     scratch.sums = contact_forces(state.cell, settings.material, {}, scratch.lists.tiles, particles,
                                   particles.loads, scratch.forces);
-    const auto add_block = [&](Count begin, Count end) {
-        add_halo_loads(scratch.lists.tiles, begin / block_size, scratch.forces.slots,
-                       particles.loads);
+    const auto add_block = [&](Count block) {
+        add_halo_loads(scratch.lists.tiles, block, scratch.forces.slots, particles.loads);
         DescentSums sums;
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        for (const Index particle : scratch.active.of_block(block)) {
+            const auto i = static_cast<std::size_t>(particle);
             const Double4 load = load4(particles.loads[i]);
             const double squared = dot3(load, load);
             if (squared == 0.0) continue;
@@ -72,7 +71,7 @@ void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scra
         }
         return sums;
     };
-    const DescentSums sums = sum_blocks(particles.size(), block_size, DescentSums{}, add_block);
+    const DescentSums sums = sum_active(scratch.active, DescentSums{}, add_block);
     state.pressure = scratch.sums.virial / state.cell.volume();
     scratch.power = sums.power;
     scratch.push_squared = sums.push_squared;
@@ -183,11 +182,10 @@ class Mover {
     const RelaxScratch& scratch_;
 };
 
-Moved move_particles(JamState& state, const Mover& mover) {
-    return sum_blocks(state.particles.size(), block_size, Moved{}, [&](Count begin, Count end) {
+Moved move_particles(const ActiveParticles& active, const Mover& mover) {
+    return sum_active(active, Moved{}, [&](Count block) {
         Moved moved;
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            mover(i, moved);
+        for (const Index i : active.of_block(block)) mover(static_cast<std::size_t>(i), moved);
         return moved;
     });
 }
@@ -203,12 +201,17 @@ void renew_metric(JamState& state, const RelaxSettings& settings, RelaxScratch& 
     const double smallest = scratch.lists.smallest_diameter;
     const double overlap = mean_overlap(scratch, settings.material, smallest);
     renew_stiffness(scratch.full, state.cell, settings.material, overlap, state.particles,
-                    state.relax.stiffness);
+                    scratch.active, state.relax.stiffness);
     state.relax.renewal_age = 0;
 }
 
 void use_metric(const JamState& state, RelaxScratch& scratch) {
-    set_metric(state.relax.stiffness, state.particles, scratch.metric);
+    set_metric(state.relax.stiffness, state.particles, scratch.active, scratch.metric);
+}
+
+/// After new tiles.
+void find_active(const JamState& state, RelaxScratch& scratch) {
+    find_active_particles(scratch.lists.tiles, state.particles, scratch.active);
 }
 
 void search(JamState& state, RelaxScratch& scratch) {
@@ -226,8 +229,9 @@ void keep_lists_valid(JamState& state, RelaxScratch& scratch, double displacemen
         renewal = keep_tiles_valid(scratch.lists, state.cell, scratch.motion, displacement,
                                    state.particles);
     }
-    if (renewal != ListRenewal::search_needed) return;
-    search(state, scratch);
+    if (renewal == ListRenewal::none) return;
+    if (renewal == ListRenewal::search_needed) search(state, scratch);
+    find_active(state, scratch);
     use_metric(state, scratch);
 }
 
@@ -242,6 +246,7 @@ void begin_relaxation(JamState& state, const RelaxSettings& settings, RelaxScrat
                       state.particles);
         scratch.full = full_list(scratch.lists.candidates);
     }
+    find_active(state, scratch);
     scratch.metric.particles.assign(state.particles.spheres.size(), {});
     if (state.relax.stiffness.empty()) {
         evaluate(state, settings, scratch);  // for the mean overlap
@@ -274,7 +279,8 @@ void relax_step(JamState& state, const RelaxSettings& settings, RelaxScratch& sc
     Moved moved;
     {
         const StageTimer timer(scratch.times, Stage::integrate);
-        moved = move_particles(state, Mover(state, move, halfway, settings.largest_move, scratch));
+        moved = move_particles(scratch.active,
+                               Mover(state, move, halfway, settings.largest_move, scratch));
     }
     scratch.motion = {std::sqrt(moved.largest_speed_squared) * move.time_step, strain.norm()};
     keep_lists_valid(state, scratch, std::sqrt(moved.displacement_squared));

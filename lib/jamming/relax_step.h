@@ -5,6 +5,7 @@
 
 #include "contacts/contact_forces.h"
 #include "core/stage_times.h"
+#include "jamming/active_particles.h"
 #include "jamming/jam_state.h"
 #include "neighbors/verlet_lists.h"
 
@@ -27,6 +28,7 @@ struct RelaxScratch {
     VerletLists lists;
     NeighborList full;  ///< of lists.candidates
     RelaxationMetric metric;
+    ActiveParticles active;  ///< while lists.tiles stand
     ForceScratch forces;
     ContactSums sums;
     double power = 0.0;         ///< F . v, over particles and cell

@@ -11,7 +11,6 @@ namespace jam {
 
 namespace {
 
-constexpr Count block_size = 2048;
 constexpr double kept_share = 0.9;  // of the running means at a renewal
 constexpr double gap_in_mean_overlaps = 3.0;
 constexpr double stiffness_factor = 3.0;
@@ -91,9 +90,10 @@ Surroundings surroundings_of(Index i, const NeighborList& full, const PeriodicCe
         const Vec3 r =
             cell.cartesian(sphere.center - other.center - Vec3(shift.x, shift.y, shift.z));
         const double touching = 0.5 * (sphere.diameter + other.diameter);
-        const double distance = r.norm();
-        if (distance >= touching + gap || distance == 0.0) continue;
-        const double overlap = std::max(touching - distance, mean_overlap);
+        const double squared = r.squaredNorm();
+        const double reach = touching + gap;
+        if (squared >= reach * reach || squared == 0.0) continue;
+        const double overlap = std::max(touching - std::sqrt(squared), mean_overlap);
         sum.add(r, law.tangent(overlap, sphere.diameter, other.diameter));
     }
     return sum;
@@ -126,24 +126,25 @@ NeighborList full_list(const NeighborList& half) {
 }
 
 void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const Material& material,
-                     double mean_overlap, const Particles& particles, ContactStiffness& stiffness) {
+                     double mean_overlap, const Particles& particles, const ActiveParticles& active,
+                     ContactStiffness& stiffness) {
     const double kept = stiffness.empty() ? 0.0 : kept_share;
     stiffness.blocks.resize(particles.spheres.size());
     stiffness.contacts.resize(particles.spheres.size());
     const StiffnessSums sums = with_elastic_law(material, [&](const auto& law) {
-        return sum_blocks(
-            particles.size(), block_size, StiffnessSums{}, [&](Count begin, Count end) {
-                StiffnessSums sum;
-                for (auto i = static_cast<Index>(begin); i < end; ++i) {
-                    const Surroundings now =
-                        surroundings_of(i, full, cell, law, mean_overlap, particles);
-                    const std::size_t id = particles.ids[static_cast<std::size_t>(i)];
-                    mix(kept, now.block, stiffness.blocks[id]);
-                    stiffness.contacts[id] = now.contacts;
-                    sum += {now.cell, now.block.xx + now.block.yy + now.block.zz, now.contacts};
-                }
-                return sum;
-            });
+        return sum_active(active, StiffnessSums{}, [&](Count block) {
+            StiffnessSums sum;
+            for (const Index i : active.of_block(block)) {
+                if (is_idle(particles, static_cast<std::size_t>(i))) continue;
+                const Surroundings now =
+                    surroundings_of(i, full, cell, law, mean_overlap, particles);
+                const std::size_t id = particles.ids[static_cast<std::size_t>(i)];
+                mix(kept, now.block, stiffness.blocks[id]);
+                stiffness.contacts[id] = now.contacts;
+                sum += {now.cell, now.block.xx + now.block.yy + now.block.zz, now.contacts};
+            }
+            return sum;
+        });
     });
     stiffness.cell = kept * stiffness.cell + (1.0 - kept) * sums.cell;
     const double typical =
@@ -152,11 +153,12 @@ void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const M
 }
 
 void set_metric(const ContactStiffness& stiffness, const Particles& particles,
-                RelaxationMetric& metric) {
+                const ActiveParticles& active, RelaxationMetric& metric) {
     const double unit = stiffness.typical;
     metric.particles.resize(particles.spheres.size());
-    for_each_block(particles.size(), block_size, [&](Count, Count begin, Count end) {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+    for_each_task(active.block_count(), [&](Count block) {
+        for (const Index particle : active.of_block(block)) {
+            const auto i = static_cast<std::size_t>(particle);
             const std::size_t id = particles.ids[i];
             const bool held = stiffness.contacts[id] >= contacts_that_hold;
             metric.particles[i] =

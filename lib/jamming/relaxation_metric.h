@@ -8,6 +8,7 @@
 #pragma once
 
 #include "cell/periodic_cell.h"
+#include "jamming/active_particles.h"
 #include "neighbors/neighbor_list.h"
 #include "particles/material.h"
 #include "particles/particles.h"
@@ -45,15 +46,17 @@ struct RelaxationMetric {
 /// Both directions of every listed pair, so that each row holds all neighbors of its particle.
 NeighborList full_list(const NeighborList& half);
 
-/// Mixes what stands now into the running means. Pairs count as contacts up to a gap of three mean
-/// overlaps, with the stiffness of at least a mean overlap: they may close at any time.
+/// Mixes what stands now into the running means, but for idle particles, which keep theirs. Pairs
+/// count as contacts up to a gap of three mean overlaps, with the stiffness of at least a mean
+/// overlap: they may close at any time. Loads and velocities must be those of the present places.
 void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const Material& material,
-                     double mean_overlap, const Particles& particles, ContactStiffness& stiffness);
+                     double mean_overlap, const Particles& particles, const ActiveParticles& active,
+                     ContactStiffness& stiffness);
 
 /// M = 3 K + floor, and for the cell three times its sum. The floor is a hundredth of the typical
 /// stiffness, but three times it for particles with fewer than four contacts, which would knock
-/// about otherwise.
+/// about otherwise. Sets the active particles' blocks; the others' mean nothing.
 void set_metric(const ContactStiffness& stiffness, const Particles& particles,
-                RelaxationMetric& metric);
+                const ActiveParticles& active, RelaxationMetric& metric);
 
 }  // namespace jam

@@ -198,11 +198,12 @@ void index_halo_loads(Count particle_count, TileScratch& scratch, ContactTiles& 
     });
 }
 
-void find_only_in_halo(Count particle_count, std::vector<char>& has_own_load, ContactTiles& tiles) {
-    has_own_load.assign(static_cast<std::size_t>(particle_count), false);
+/// Who takes part, and who of them only in the halo of others.
+void find_taking_part(Count particle_count, ContactTiles& tiles) {
+    tiles.takes_part.assign(static_cast<std::size_t>(particle_count), false);
     for_each_tile(tiles, [&](const ContactTile& tile) {
         for (std::size_t p = 0; p < static_cast<std::size_t>(tile.own_count); ++p)
-            has_own_load[static_cast<std::size_t>(tile.participants[p].particle())] = true;
+            tiles.takes_part[static_cast<std::size_t>(tile.participants[p].particle())] = true;
     });
     const std::size_t blocks = tiles.halo_begin.size() - 1;
     tiles.only_in_halo.resize(blocks);
@@ -211,7 +212,7 @@ void find_only_in_halo(Count particle_count, std::vector<char>& has_own_load, Co
         tiles.only_in_halo[at].clear();
         for (auto k = tiles.halo_begin[at]; k < tiles.halo_begin[at + 1]; ++k) {
             const Index particle = tiles.halo_loads[static_cast<std::size_t>(k)].particle;
-            if (std::exchange(has_own_load[static_cast<std::size_t>(particle)], true)) continue;
+            if (std::exchange(tiles.takes_part[static_cast<std::size_t>(particle)], true)) continue;
             tiles.only_in_halo[at].push_back(particle);
         }
     });
@@ -238,7 +239,7 @@ void make_contact_tiles(const NeighborList& candidates, const PeriodicCell& cell
     });
     collect_tiles(scratch, tiles);
     index_halo_loads(particles.size(), scratch, tiles);
-    find_only_in_halo(particles.size(), scratch.has_own_load, tiles);
+    find_taking_part(particles.size(), tiles);
 }
 
 }  // namespace jam

@@ -55,6 +55,7 @@ struct ContactTiles {
     /// By block: particles that are in the halo of other tiles and take part in none of their own.
     /// No tile writes their loads, so these start from zero.
     std::vector<std::vector<Index>> only_in_halo;
+    std::vector<char> takes_part;  ///< by particle: whether it is in any tile
 
     Count pair_count() const;
 };
@@ -71,7 +72,6 @@ struct TileScratch {
     PerThread<Thread> threads;
     std::vector<std::vector<ContactTile>> tiles_of_block;
     std::vector<Index> particle_of_slot, block_of_slot, slots_by_block;
-    std::vector<char> has_own_load;  ///< by particle
 };
 
 /// Keeps the candidates within `reach` at the particles' present places, tested in double

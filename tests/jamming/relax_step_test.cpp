@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "jamming/relax_step.h"
+
+#include "jamming/jam_state.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace jam {
+namespace {
+
+/// Two hundred spheres of diameters 1 to 6 at random places, so that many overlap.
+JamState pressed_spheres() {
+    Scene scene;
+    PowerLaw law;
+    law.size_ratio = 6.0;
+    law.alpha = 1.0;
+    scene.sizes.distribution = law;
+    scene.sizes.count = 200;
+    JamState state = start_state(scene);
+    state.cell = PeriodicCell(Mat3(0.75 * state.cell.matrix()));
+    for (Motion& motion : state.particles.motions) motion = {Vec3::Zero(), 1.0};
+    return state;
+}
+
+RelaxScratch begin(JamState& state, const RelaxSettings& settings) {
+    RelaxScratch scratch(diameters_by_id(state.particles), ListSettings{});
+    begin_relaxation(state, settings, scratch);
+    return scratch;
+}
+
+bool touches_another(const JamState& state, std::size_t i) {
+    const std::vector<Sphere>& spheres = state.particles.spheres;
+    for (std::size_t j = 0; j < spheres.size(); ++j) {
+        if (j == i) continue;
+        Vec3 apart = spheres[i].center - spheres[j].center;
+        for (int k = 0; k < 3; ++k) apart[k] -= std::round(apart[k]);
+        const double reach = 0.5 * (spheres[i].diameter + spheres[j].diameter);
+        if (state.cell.cartesian(apart).norm() < reach) return true;
+    }
+    return false;
+}
+
+TEST(RelaxStep, WhoeverIsNotActiveTouchesNothingAndStandsStill) {
+    JamState state = pressed_spheres();
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    RelaxScratch scratch = begin(state, settings);
+    std::size_t idle = 0;
+    for (int step = 0; step < 3000; ++step) {
+        relax_step(state, settings, scratch);
+        if (step % 100 != 0) continue;
+        const std::set<Index> active(scratch.active.particles.begin(),
+                                     scratch.active.particles.end());
+        for (Index i = 0; i < state.particles.size(); ++i) {
+            if (active.contains(i)) continue;
+            const auto at = static_cast<std::size_t>(i);
+            ++idle;
+            EXPECT_TRUE(is_idle(state.particles, at));
+            EXPECT_FALSE(touches_another(state, at)) << "particle " << i << ", step " << step;
+        }
+    }
+    EXPECT_GT(idle, 0u) << "nothing was tested";
+}
+
+TEST(RelaxStep, OneThatMovesIsActiveThoughItTouchesNothing) {
+    JamState state = pressed_spheres();
+    state.cell = PeriodicCell(Mat3(4.0 * state.cell.matrix()));
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    EXPECT_TRUE(begin(state, settings).active.particles.empty());
+    state.particles.motions[17].velocity = Vec3(1e-3, 0.0, 0.0);
+    RelaxScratch scratch = begin(state, settings);
+    ASSERT_EQ(scratch.active.particles, std::vector<Index>{17});
+    const Vec3 before = state.particles.spheres[17].center;
+    relax_step(state, settings, scratch);
+    EXPECT_NE(state.particles.spheres[17].center, before);
+}
+
+}  // namespace
+}  // namespace jam

@@ -229,8 +229,9 @@ void QuasistaticRun::finish() {
     if (trial || steps % steps_between_verdicts == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    error_of_pressure() <= settings_.stop.pressure;
-    const Count between_counts = settings_.ladder.most_steps / counts_in_a_rung;
-    if (steps % std::max(Count{1}, between_counts) < steps_between_looks) count_missing_contacts();
+    const Count between_counts =
+        std::max(settings_.ladder.most_steps / counts_in_a_rung, steps_between_verdicts);
+    if (steps % between_counts < steps_between_looks) count_missing_contacts();
 }
 
 void QuasistaticRun::count_missing_contacts() {

@@ -5,8 +5,12 @@ namespace jam {
 
 namespace {
 
+bool stands_still(const Particles& particles, std::size_t i) {
+    return particles.motions[i].velocity.isZero(0.0);
+}
+
 bool may_move(const ContactTiles& tiles, const Particles& particles, std::size_t i) {
-    return tiles.takes_part[i] || !particles.motions[i].velocity.isZero(0.0);
+    return tiles.takes_part[i] || !stands_still(particles, i);
 }
 
 }  // namespace
@@ -17,7 +21,7 @@ std::span<const Index> ActiveParticles::of_block(Count block) const {
 }
 
 bool is_idle(const Particles& particles, std::size_t i) {
-    return particles.loads[i].contacts == 0.0 && particles.motions[i].velocity.isZero(0.0);
+    return particles.loads[i].contacts == 0.0 && stands_still(particles, i);
 }
 
 void find_active_particles(const ContactTiles& tiles, const Particles& particles,

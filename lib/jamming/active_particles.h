@@ -29,7 +29,7 @@ bool is_idle(const Particles& particles, std::size_t i);
 void find_active_particles(const ContactTiles& tiles, const Particles& particles,
                            ActiveParticles& active);
 
-/// Sum over blocks of body(particles of the block) -> Value, added in the order of the blocks.
+/// Sum over blocks of body(block) -> Value, added in the order of the blocks.
 /// Values of particles that are not active must be zero.
 template <typename Value, typename Body>
 Value sum_active(const ActiveParticles& active, const Value& zero, Body&& body) {

@@ -35,11 +35,9 @@ Criterion criterion(const char* name, double value, double tolerance) {
     return {name, value, tolerance, value <= tolerance};
 }
 
-/// -lambda, lambda the smallest eigenvalue of the Hessian of all particles with at least so many
-/// contacts among themselves, over the mean pressure and the smallest diameter.
-double instability(const Packing& packing, const ProtocolSettings& protocol, int least_contacts) {
-    const double pressure = protocol.pressure.trace() / 3.0;
-    const ForceNetwork network = find_force_network(packing, least_contacts);
+/// -lambda, lambda the smallest eigenvalue of the Hessian of the network's backbone, over the mean
+/// pressure and the smallest diameter.
+double instability(const Packing& packing, const ForceNetwork& network, double pressure) {
     const EnthalpyHessian hessian =
         enthalpy_hessian(packing, network, network.rattlers.is_rattler, pressure);
     const double smallest = *std::ranges::min_element(packing.diameters);
@@ -49,10 +47,13 @@ double instability(const Packing& packing, const ProtocolSettings& protocol, int
 /// Three contacts hold a particle only in their own plane: at rest it carries next to nothing, and
 /// its curvature is round-off. So these are left out, unless what remains gives way: something may
 /// lean on one that is slow to buckle, and stands while that does.
-double instability(const Packing& packing, const ProtocolSettings& protocol) {
-    const double held = instability(packing, protocol, contacts_that_hold);
+double instability(const Measurement& measurement, const ProtocolSettings& protocol) {
+    const Packing& packing = measurement.packing;
+    const double pressure = protocol.pressure.trace() / 3.0;
+    const double held =
+        instability(packing, find_force_network(packing, contacts_that_hold), pressure);
     if (held <= tolerated_instability) return held;
-    return std::min(held, instability(packing, protocol, contacts_that_hold - 1));
+    return std::min(held, instability(packing, measurement.network, pressure));
 }
 
 /// A relaxation has no motion in time: it has arrived where forces and stress balance, and what it
@@ -71,7 +72,7 @@ Verdict judge_at_rest(const Measurement& measurement, const Scene& scene) {
     if (!testable) return verdict;
     const bool at_rest = verdict.converged();
     verdict.criteria.push_back(criterion("instability",
-                                         at_rest ? instability(measurement.packing, scene.protocol)
+                                         at_rest ? instability(measurement, scene.protocol)
                                                  : std::numeric_limits<double>::quiet_NaN(),
                                          tolerated_instability));
     return verdict;

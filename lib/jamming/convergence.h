@@ -26,8 +26,8 @@ void take_sample(const Measurement& measurement, const StopSettings& stop, JamSt
 /// Criteria by the names of their tolerances in the scene; a window that is not yet full holds
 /// nothing. A quasi-static run is judged by pressure, Cundall parameter, contacts that miss to
 /// isostaticity, and stability of the backbone (up to 60,000 particles in a cell free in all
-/// components: its particles with four contacts or more; an eigenvalue below -1e-3 p D_min is
-/// unstable).
+/// components: its particles with four contacts or more and, if these give way, all of it; an
+/// eigenvalue below -1e-3 p D_min is unstable).
 Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene);
 
 /// Largest |P_int - P_a| of the six components over the mean of P_a; of the components that the

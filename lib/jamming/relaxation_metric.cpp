@@ -156,7 +156,7 @@ void set_metric(const ContactStiffness& stiffness, const Particles& particles,
                 const ActiveParticles& active, RelaxationMetric& metric) {
     const double unit = stiffness.typical;
     metric.particles.resize(particles.spheres.size());
-    for_each_task(active.block_count(), [&](Count block) {
+    for_each_block(active.block_count(), 1, [&](Count block, Count, Count) {
         for (const Index particle : active.of_block(block)) {
             const auto i = static_cast<std::size_t>(particle);
             const std::size_t id = particles.ids[i];

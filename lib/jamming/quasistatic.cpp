@@ -34,7 +34,7 @@ constexpr double cundall_for_newton = 1e-5;
 constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
-constexpr Count steps_between_verdicts = 1'000;
+constexpr Count steps_between_verdicts = 2'000;
 
 // The ladder is climbed again when contacts have been missing to isostaticity, whenever asked, for
 // this many times a rung's steps. Contacts flicker while an event passes, so one look proves

@@ -12,7 +12,7 @@ namespace jam {
 
 namespace {
 
-constexpr int steps_between_renewals = 20;
+constexpr int steps_between_renewals = 50;
 
 // FIRE's own numbers, as published, but for the shorter cut of the time step.
 constexpr double first_mixing = 0.1;
@@ -21,8 +21,9 @@ constexpr double growth = 1.05;
 constexpr double cut = 0.6;
 constexpr int steps_before_growth = 10;
 
-/// Share of its velocity that a particle keeps in a step while it touches nothing.
-constexpr double drag_of_loose_ones = 0.9;
+/// Share of its velocity that a particle keeps in a step while it touches nothing. It must hardly
+/// lose any: what slides along pushes rattlers before it, and all that they lose it has to give.
+constexpr double kept_by_loose_ones = 0.999;
 
 double dot3(const Double4& a, const Double4& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -161,7 +162,7 @@ class Mover {
   private:
     Double4 velocity(const Double4& before, const Double4& load, bool touches,
                      const BlockResponse& metric, Moved& moved) const {
-        const double keep = touches ? move_.keep : drag_of_loose_ones * move_.keep;
+        const double keep = touches ? move_.keep : kept_by_loose_ones * move_.keep;
         Double4 after = before * keep + times(metric.inverse, load) * move_.push;
         double squared = dot3(after, after);
         if (squared > top_speed_ * top_speed_) {

@@ -11,7 +11,7 @@ namespace jam {
 
 namespace {
 
-constexpr double kept_share = 0.9;  // of the running means at a renewal
+constexpr double kept_share = 0.8;  // of the running means at a renewal
 constexpr double gap_in_mean_overlaps = 3.0;
 constexpr double stiffness_factor = 3.0;
 constexpr double held_floor = 0.01;

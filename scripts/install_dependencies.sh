@@ -15,7 +15,8 @@ USAGE
 
 core=(g++ cmake ninja-build git libtbb-dev libeigen3-dev libhdf5-dev libgtest-dev libgmock-dev
       libbenchmark-dev libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev
-      librandom123-dev libboost-dev gnuplot-nox libembree-dev libpng-dev libsuitesparse-dev)
+      librandom123-dev libboost-dev gnuplot-nox libembree-dev libpng-dev libsuitesparse-dev
+      libopenblas0-serial)
 check=(clang-format clang-tidy doxygen python3)
 interop=(python3-h5py python3-mdanalysis python3-vtk9 lammps snakemake)
 

@@ -41,6 +41,8 @@ constexpr NamedDistribution distributions[] = {
     {"backbone_diameters", &PackingSummary::backbone_diameters},
     {"backbone_contact_counts", &PackingSummary::backbone_contact_counts},
     {"backbone_forces", &PackingSummary::backbone_forces},
+    {"contact_larger_diameters", &PackingSummary::contact_larger_diameters},
+    {"contact_size_ratios", &PackingSummary::contact_size_ratios},
 };
 
 std::vector<double> values_of(Group group, const NamedNumber& number) {
@@ -85,6 +87,10 @@ PackingSummary summarize(const Packing& packing, const ForceNetwork& network) {
     for (const Contact& contact : network.contacts) {
         if (!network.rattlers.bears(contact)) continue;
         summary.backbone_forces.push_back(contact.force);
+        const auto [smaller, larger] =
+            std::minmax(packing.diameters[contact.first], packing.diameters[contact.second]);
+        summary.contact_larger_diameters.push_back(larger / widest);
+        summary.contact_size_ratios.push_back(smaller / larger);
         sum += contact.force;
     }
     const double mean = sum / static_cast<double>(summary.backbone_forces.size());

@@ -15,9 +15,11 @@ namespace jam {
 /// What a comparison needs of one packing; the packing itself may be gone.
 struct PackingSummary {
     PackingStatistics statistics;
-    std::vector<double> backbone_diameters;       ///< over the largest of all
-    std::vector<double> backbone_contact_counts;  ///< of each particle of the backbone
-    std::vector<double> backbone_forces;          ///< over their mean
+    std::vector<double> backbone_diameters;        ///< over the largest of all
+    std::vector<double> backbone_contact_counts;   ///< of each particle of the backbone
+    std::vector<double> backbone_forces;           ///< over their mean
+    std::vector<double> contact_larger_diameters;  ///< over the largest of all, in the backbone
+    std::vector<double> contact_size_ratios;       ///< smaller over larger, in the backbone
 };
 PackingSummary summarize(const Packing& packing, const ForceNetwork& network);
 

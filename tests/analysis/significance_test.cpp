@@ -144,9 +144,34 @@ TEST(ComparePackings, SeesWhatDiffersAndOnlyThat) {
     EXPECT_LT(number_named(different, "coordination").p_value, 1e-3);
     EXPECT_GT(number_named(alike, "coordination").p_value, 1e-3);
     EXPECT_NEAR(number_named(different, "particle_count").difference, 200.0, 1e-12);
-    ASSERT_EQ(different.distributions.size(), 3u);
+    ASSERT_EQ(different.distributions.size(), 5u);
     EXPECT_LT(different.distributions[1].difference.p_value, 1e-6);
     EXPECT_GT(alike.distributions[0].difference.p_value, 1e-4);
+}
+
+TEST(ComparePackings, SeesThatOtherSizesTouch) {
+    // The same spheres and as many contacts: pairs of equal ones, or each with one of another size.
+    const auto pairs = [](double first, double second) {
+        std::vector<Vec3> centers;
+        std::vector<double> diameters;
+        const auto add = [&](int pair, double one, double other) {
+            const double x = 10.0 * pair;
+            centers.insert(centers.end(), {Vec3(x, 0, 0), Vec3(x + 0.49 * (one + other), 0, 0)});
+            diameters.insert(diameters.end(), {one, other});
+        };
+        for (int pair = 0; pair < 20; ++pair)
+            pair % 2 == 0 ? add(pair, 1.0, first) : add(pair, 2.0, second);
+        Packing packing = make_packing(Mat3::Identity() * 200.0, centers, diameters);
+        ForceNetwork network = find_force_network(packing);
+        network.rattlers.is_rattler.assign(packing.diameters.size(), 0);
+        return summarize(packing, network);
+    };
+    const std::vector<PackingSummary> alike = {pairs(1.0, 2.0)};
+    const std::vector<PackingSummary> mixed = {pairs(2.0, 1.0)};
+    const PackingComparison comparison = compare_packings(alike, mixed);
+    EXPECT_EQ(comparison.distributions[0].difference.distance, 0.0);
+    EXPECT_DOUBLE_EQ(comparison.distributions[3].difference.distance, 0.5);
+    EXPECT_DOUBLE_EQ(comparison.distributions[4].difference.distance, 1.0);
 }
 
 TEST(ComparePackings, OneAgainstOneHasNoScatterButDistributions) {

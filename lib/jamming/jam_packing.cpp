@@ -151,8 +151,7 @@ class JamRun {
         {
             const StageTimer timer(times_, Stage::measure);
             result.measurement = measure(state_, scene_);
-            // A stop between two records must leave no trace in the samples of the run that goes
-            // on.
+            // A stop between two records must leave no trace in the samples.
             if (state_.step % scene_.run.record_interval == 0)
                 take_sample(result.measurement, scene_.stop, state_);
             result.verdict = judge(result.measurement, state_, scene_);

@@ -95,6 +95,7 @@ class Descent {
         }
         result.converged = reached();
         result.factorizations = solver_.factorizations();
+        result.operations = solver_.operations();
         result.cundall = model_.now().cundall;
         result.pressure_error = model_.now().pressure_error;
         return result;

@@ -26,6 +26,7 @@ struct NewtonResult {
     bool converged = false;  ///< at a minimum: the curvature there is positive
     int steps = 0;
     int factorizations = 0;
+    double operations = 0.0;  ///< floating-point ones of one factorization
     double cundall = 0.0;
     double pressure_error = 0.0;
 };

@@ -5,7 +5,9 @@
 #include "jamming/convergence.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace jam {
 
@@ -28,13 +30,21 @@ constexpr Count steps_between_looks = 10;
 constexpr Count fewest_steps_of_a_rung = 20;
 constexpr double pressure_error_of_a_rung = 1e-3;
 
-// When Newton's method is worth a trial, how long to relax at least before the next, and how often
-// to ask whether the relaxation has come to rest by itself: the answer takes a factorization.
+// When Newton's method is worth a trial, and how long to relax at least before the next: what has
+// failed is tried ever more rarely, and takes a tenth of the time at most.
 constexpr double cundall_for_newton = 1e-5;
 constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
+constexpr Count steps_between_trials_in_their_cost = 10;
+constexpr Count never = std::numeric_limits<Count>::max() / 2;
+constexpr double operations_of_a_step = 500.0;              // a particle, in a factorization's time
+constexpr double most_operations_of_a_factorization = 3e5;  // a particle
+
+// How often to ask whether the relaxation has come to rest by itself: the answer takes a
+// factorization, so it is asked for half as often each time that a long rung doubles its length.
 constexpr Count steps_between_verdicts = 2'000;
+constexpr Count steps_of_a_long_rung = 100'000;
 
 // The ladder is climbed again when contacts have been missing to isostaticity, whenever asked, for
 // this many times a rung's steps. Contacts flicker while an event passes, so one look proves
@@ -52,6 +62,18 @@ double compaction_time_step(const QuasistaticSettings& settings,
         std::sqrt(settings.first_pressure * volume / settings.compaction.cell_inertia);
     return std::min(compaction_step_in_automatic_ones * settings.compaction.time_step,
                     longest_step_of_the_cell / cell_rate);
+}
+
+Count verdict_interval(Count steps_on_rung) {
+    const Count lengths = std::max<Count>(1, steps_on_rung / steps_of_a_long_rung);
+    return steps_between_verdicts *
+           static_cast<Count>(std::bit_floor(static_cast<std::uint64_t>(lengths)));
+}
+
+/// Steps that would have taken the time of these factorizations.
+Count cost_in_steps(const NewtonResult& newton, Count particles) {
+    return static_cast<Count>(newton.factorizations * newton.operations /
+                              (operations_of_a_step * static_cast<double>(particles)));
 }
 
 bool is_isotropic(const Mat3& pressure) {
@@ -102,7 +124,9 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
         .material = scene.contact, .pressure = protocol.pressure, .free_cell = protocol.free_cell};
     settings.newton = {.material = scene.contact,
                        .pressure = settings.applied_pressure,
-                       .cundall = 0.1 * scene.stop.cundall};
+                       .cundall = 0.1 * scene.stop.cundall,
+                       .most_operations = most_operations_of_a_factorization *
+                                          static_cast<double>(state.particles.size())};
     settings.newton_serves = protocol.free_cell == FreeCell::all && is_isotropic(protocol.pressure);
     return settings;
 }
@@ -222,11 +246,10 @@ void QuasistaticRun::finish() {
     const bool trial =
         near && settings_.newton_serves && state_.step >= state_.quasistatic.next_trial;
     if (trial) {
-        try_newton();
-        // What has failed is tried ever more rarely: it costs as much as thousands of steps.
-        state_.quasistatic.next_trial = state_.step + std::max(steps_between_trials, steps);
+        const Count rest = std::max(try_newton(), steps);
+        state_.quasistatic.next_trial = state_.step + rest;
     }
-    if (trial || steps % steps_between_verdicts == 0)
+    if (trial || steps % verdict_interval(steps) == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    error_of_pressure() <= settings_.stop.pressure;
     const Count between_counts =
@@ -247,7 +270,7 @@ void QuasistaticRun::climb() {
     begin_rung(settings_.climbed_pressure);
 }
 
-void QuasistaticRun::try_newton() {
+Count QuasistaticRun::try_newton() {
     RelaxScratch& scratch = *relaxation_;
     NewtonResult result;
     {
@@ -255,16 +278,15 @@ void QuasistaticRun::try_newton() {
         result = newton_relax(settings_.newton, scratch.lists.candidates,
                               scratch.lists.smallest_diameter, state_.cell, state_.particles);
     }
-    if (!result.tried) {
-        settings_.newton_serves = false;
-        return;
-    }
+    if (!result.tried) return never;
     for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
     state_.velocity_gradient.setZero();
     state_.relax.speed_squared = 0.0;
     state_.list_reference = {};
     state_.step += result.factorizations;
     begin_relaxation(state_, settings_.relax, scratch);
+    const Count cost = cost_in_steps(result, state_.particles.size());
+    return std::max(steps_between_trials, steps_between_trials_in_their_cost * cost);
 }
 
 }  // namespace jam

@@ -246,8 +246,8 @@ void QuasistaticRun::finish() {
     const bool trial =
         near && settings_.newton_serves && state_.step >= state_.quasistatic.next_trial;
     if (trial) {
-        const Count rest = std::max(try_newton(), steps);
-        state_.quasistatic.next_trial = state_.step + rest;
+        const Count pause = std::max(try_newton(), steps);
+        state_.quasistatic.next_trial = state_.step + pause;
     }
     if (trial || steps % verdict_interval(steps) == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&

@@ -118,14 +118,10 @@ TEST(NewtonRelaxation, EndsAtAMinimumFromARelaxedState) {
 
 TEST(NewtonRelaxation, LeavesAloneWhatWouldTakeTooLong) {
     Dense dense;
-    RelaxSettings settings{.material = dense.scene.contact,
-                           .pressure = Mat3::Identity() * dense.pressure};
-    RelaxScratch scratch(std::vector<double>(120, 1.0), ListSettings{});
-    begin_relaxation(dense.state, settings, scratch);
     const Vec3 before = dense.state.particles.spheres[0].center;
     const NewtonResult result = newton_relax(
         {.material = dense.scene.contact, .pressure = dense.pressure, .most_operations = 1.0},
-        scratch.lists.candidates, 1.0, dense.state.cell, dense.state.particles);
+        dense.lists.candidates, 1.0, dense.state.cell, dense.state.particles);
     EXPECT_FALSE(result.tried);
     EXPECT_EQ(result.factorizations, 0);
     EXPECT_EQ(dense.state.particles.spheres[0].center, before);

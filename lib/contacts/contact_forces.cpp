@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contacts/contact_forces.h"
 
+#include "cell/upper_map.h"
 #include "contacts/elastic_laws.h"
 #include "core/lanes.h"
 
@@ -40,7 +41,7 @@ class TileForces {
   public:
     TileForces(const PeriodicCell& cell, const Law& law, double damping,
                const Mat3& velocity_gradient, ForceScratch::Thread& scratch)
-        : h_(cell.matrix()),
+        : to_cartesian_(cell.matrix()),
           law_(law),
           damping_(damping),
           gradient_(velocity_gradient),
@@ -65,44 +66,50 @@ class TileForces {
         if constexpr (damped) s_.motions.resize(count);
         for (std::size_t p = 0; p < count; ++p) {
             const auto particle = static_cast<std::size_t>(tile.participants[p].particle());
-            const Sphere& sphere = particles.spheres[particle];
-            const ImageShift& shift = image_shifts[tile.participants[p].image()];
-            const double sx = sphere.center[0] + shift.x;
-            const double sy = sphere.center[1] + shift.y;
-            const double sz = sphere.center[2] + shift.z;
-            Sphere& local = s_.spheres[p];
-            local.center[0] = h_(0, 0) * sx + h_(0, 1) * sy + h_(0, 2) * sz;
-            local.center[1] = h_(1, 1) * sy + h_(1, 2) * sz;
-            local.center[2] = h_(2, 2) * sz;
-            local.diameter = sphere.diameter;
+            const Double4 sphere = load4(particles.spheres[particle]) +
+                                   load4(image_shifts[tile.participants[p].image()]);
+            store4(with_fourth_of(to_cartesian_(sphere), sphere), s_.spheres[p]);
             if constexpr (damped) s_.motions[p] = particles.motions[particle];
         }
     }
 
-    /// Pairs that overlap, packed: every pair is written, and only a contact advances the place.
+    /// Pairs that overlap, packed.
     std::size_t find_contacts(const ContactTile& tile) {
         const std::size_t pairs = tile.pairs.size();
         reserve(pairs + lanes);
-        s_.contacts.resize(pairs + 1);
+        s_.contacts.resize(pairs + lanes);
         std::size_t contacts = 0;
-        for (const TilePair pair : tile.pairs) {
-            const Sphere& first = s_.spheres[pair.first];
-            const Sphere& second = s_.spheres[pair.second];
-            const double dx = first.center[0] - second.center[0];
-            const double dy = first.center[1] - second.center[1];
-            const double dz = first.center[2] - second.center[2];
-            const double squared = dx * dx + dy * dy + dz * dz;
-            const double reach = 0.5 * (first.diameter + second.diameter);
-            s_.x[contacts] = dx;
-            s_.y[contacts] = dy;
-            s_.z[contacts] = dz;
-            s_.distance[contacts] = squared;
-            s_.reach[contacts] = reach;
-            if constexpr (needs_diameters) s_.diameter_first[contacts] = first.diameter;
-            s_.contacts[contacts] = pair;
-            contacts += squared < reach * reach ? 1 : 0;
+        for_each_four(std::span(tile.pairs), [&](const TilePair* four, int count) {
+            contacts = pack_contacts(four, count, contacts);
+        });
+        return contacts;
+    }
+
+    /// Appends those of up to four pairs that overlap; what is behind them is overwritten.
+    std::size_t pack_contacts(const TilePair* pairs, int count, std::size_t contacts) {
+        const Columns4 r = transposed({separation(pairs[0]), separation(pairs[1]),
+                                       separation(pairs[2]), separation(pairs[3])});
+        const Double4 squared = r.x * r.x + r.y * r.y + r.z * r.z;
+        const Double4 reach = 0.5 * r.w;
+        const unsigned touching = bits_of(squared < reach * reach) & bits_of_first(count);
+        store_packed(r.x, touching, &s_.x[contacts]);
+        store_packed(r.y, touching, &s_.y[contacts]);
+        store_packed(r.z, touching, &s_.z[contacts]);
+        store_packed(squared, touching, &s_.distance[contacts]);
+        store_packed(reach, touching, &s_.reach[contacts]);
+        for (unsigned k = 0; k < 4; ++k) {
+            if constexpr (needs_diameters)
+                s_.diameter_first[contacts] = s_.spheres[pairs[k].first].diameter;
+            s_.contacts[contacts] = pairs[k];
+            contacts += touching >> k & 1u;
         }
         return contacts;
+    }
+
+    /// From the second center to the first, and the sum of the diameters.
+    Double4 separation(const TilePair& pair) const {
+        constexpr Double4 add_diameters = {1.0, 1.0, 1.0, -1.0};
+        return load4(s_.spheres[pair.first]) - add_diameters * load4(s_.spheres[pair.second]);
     }
 
     void reserve(std::size_t size) {
@@ -213,7 +220,7 @@ class TileForces {
 
     static constexpr bool needs_diameters = std::is_same_v<Law, Hertz>;
 
-    const Mat3& h_;
+    const UpperMap to_cartesian_;
     const Law law_;
     const double damping_;
     const Mat3& gradient_;

@@ -35,7 +35,7 @@ struct ContactFlow {
 /// Memory of the force loop, kept between calls.
 struct ForceScratch {
     struct Thread {
-        std::vector<Sphere> spheres;  ///< of the participants: Cartesian center, half diameter
+        std::vector<Sphere> spheres;  ///< of the participants: Cartesian center and diameter
         std::vector<Motion> motions;
         std::vector<Load> loads;
         std::vector<double> x, y, z, distance, reach, diameter_first, closing, mass, elastic, force;

@@ -13,7 +13,8 @@ struct InteractionReach {
 
     /// One sphere's share; a pair's reach is the sum of two.
     double of(double diameter) const { return 0.5 * diameter * (1.0 + strain_margin) + skin; }
-    double of(double diameter_i, double diameter_j) const {
+    template <typename Number>
+    Number of(const Number& diameter_i, const Number& diameter_j) const {
         return 0.5 * (diameter_i + diameter_j) * (1.0 + strain_margin) + 2.0 * skin;
     }
 };

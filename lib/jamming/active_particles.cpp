@@ -5,10 +5,6 @@ namespace jam {
 
 namespace {
 
-bool stands_still(const Particles& particles, std::size_t i) {
-    return particles.motions[i].velocity.isZero(0.0);
-}
-
 bool may_move(const ContactTiles& tiles, const Particles& particles, std::size_t i) {
     return tiles.takes_part[i] || !stands_still(particles, i);
 }
@@ -20,8 +16,9 @@ std::span<const Index> ActiveParticles::of_block(Count block) const {
     return std::span(particles).subspan(block_begin[at], block_begin[at + 1] - block_begin[at]);
 }
 
-bool is_idle(const Particles& particles, std::size_t i) {
-    return particles.loads[i].contacts == 0.0 && stands_still(particles, i);
+std::span<const Index> ActiveParticles::awake_of_block(Count block) const {
+    const auto at = static_cast<std::size_t>(block);
+    return std::span(awake).subspan(block_begin[at], awake_end[at] - block_begin[at]);
 }
 
 void find_active_particles(const ContactTiles& tiles, const Particles& particles,
@@ -40,6 +37,18 @@ void find_active_particles(const ContactTiles& tiles, const Particles& particles
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             if (may_move(tiles, particles, i)) active.particles[place++] = static_cast<Index>(i);
     });
+    active.awake.resize(active.particles.size());
+    active.awake_end.assign(active.block_begin.begin(), active.block_begin.end() - 1);
+}
+
+void find_awake(const Particles& particles, Count block, ActiveParticles& active) {
+    const auto at = static_cast<std::size_t>(block);
+    auto place = static_cast<std::size_t>(active.block_begin[at]);
+    for (const Index i : active.of_block(block)) {
+        active.awake[place] = i;
+        place += is_idle(particles, static_cast<std::size_t>(i)) ? 0 : 1;
+    }
+    active.awake_end[at] = static_cast<Index>(place);
 }
 
 }  // namespace jam

@@ -98,11 +98,16 @@ void write_relaxation(const hdf5::Group& group, const RelaxState& relax) {
     const ContactStiffness& stiffness = relax.stiffness;
     to.write("stiffness_typical", stiffness.typical);
     write_matrix(to, "stiffness_cell", stiffness.cell);
-    to.write("stiffness_contacts", stiffness.contacts);
-    if (stiffness.empty()) return;
-    to.write("stiffness_blocks",
-             std::span(&stiffness.blocks.front().xx, 6 * stiffness.blocks.size()),
-             {stiffness.blocks.size(), 6});
+    std::vector<double> contacts;
+    std::vector<SymmetricBlock> blocks;
+    for (const ParticleStiffness& particle : stiffness.particles) {
+        contacts.push_back(particle.contacts);
+        blocks.push_back(particle.block);
+    }
+    to.write("stiffness_contacts", contacts);
+    if (blocks.empty()) return;
+    to.write("stiffness_blocks", std::span<const double>(&blocks.front().xx, 6 * blocks.size()),
+             {blocks.size(), 6});
 }
 
 RelaxState read_relaxation(const hdf5::Group& group) {
@@ -116,11 +121,13 @@ RelaxState read_relaxation(const hdf5::Group& group) {
     ContactStiffness& stiffness = relax.stiffness;
     stiffness.typical = from.read<double>("stiffness_typical");
     stiffness.cell = read_matrix(from, "stiffness_cell");
-    stiffness.contacts = from.read_array<double>("stiffness_contacts");
+    const auto contacts = from.read_array<double>("stiffness_contacts");
     if (!from.has("stiffness_blocks")) return relax;
-    const std::size_t count = stiffness.contacts.size();
-    stiffness.blocks.resize(count);
-    from.read("stiffness_blocks", std::span(&stiffness.blocks.front().xx, 6 * count), {count, 6});
+    std::vector<SymmetricBlock> blocks(contacts.size());
+    from.read("stiffness_blocks", std::span(&blocks.front().xx, 6 * blocks.size()),
+              {blocks.size(), 6});
+    for (std::size_t id = 0; id < blocks.size(); ++id)
+        stiffness.particles.push_back({blocks[id], contacts[id]});
     return relax;
 }
 

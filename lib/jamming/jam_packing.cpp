@@ -88,7 +88,7 @@ class NphRun {
     void advance() { nph_step(state_, settings_, scratch_); }
     bool at_rest() const { return false; }
     const ContactSums& sums() const { return scratch_.sums; }
-    const ExpectedMotion& motion() const { return scratch_.motion; }
+    const StepMotion& motion() const { return scratch_.motion; }
     double time_step() const { return settings_.time_step; }
     StageTimes times() const { return scratch_.times; }
 
@@ -174,9 +174,9 @@ class JamRun {
     /// A step that carries a particle across another, or strains the cell by a tenth, has nothing
     /// to do with the motion any more.
     void require_bounded_motion() const {
-        const ExpectedMotion& motion = method_.motion();
-        const bool bounded = motion.displacement_a_step < 0.5 * smallest_diameter_ &&
-                             motion.strain_a_step < 0.1 && std::isfinite(state_.pressure.sum());
+        const StepMotion& motion = method_.motion();
+        const bool bounded = motion.displacement < 0.5 * smallest_diameter_ &&
+                             motion.strain < 0.1 && std::isfinite(state_.pressure.sum());
         if (bounded) return;
         const double step = method_.time_step() / unit_of_time(scene_.contact, smallest_diameter_);
         throw InputError(fmt::format(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/nph_step.h"
 
+#include "cell/upper_map.h"
 #include "contacts/elastic_laws.h"
 #include "core/lanes.h"
 #include "jamming/cell_motion.h"
@@ -48,14 +49,12 @@ double squared_length(const Double4& v) {
     return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-/// Half-kicks the particles, drifts them and the cell. Returns the largest displacement since the
-/// tiles were made.
-double kick_and_drift(JamState& state, const NphSettings& settings, const VerletLists& lists) {
+/// Half-kicks the particles, drifts them and the cell.
+StepMotion kick_and_drift(JamState& state, const NphSettings& settings) {
     const HalfKick kick(state.velocity_gradient, 0.5 * settings.time_step);
     const Mat3 strain = state.velocity_gradient * settings.time_step;
     const UpperMap drift(strained_cell(state.cell, 0.5 * strain).inverse() * settings.time_step);
     state.cell = strained_cell(state.cell, strain);
-    const UpperMap to_cartesian(state.cell.matrix());
     Particles& particles = state.particles;
     const double squared = max_blocks(particles.size(), block_size, [&](Count begin, Count end) {
         double largest = 0.0;
@@ -64,13 +63,11 @@ double kick_and_drift(JamState& state, const NphSettings& settings, const Verlet
             const Double4 sphere = load4(particles.spheres[i]) + drift(motion);
             store4(motion, particles.motions[i]);
             store4(sphere, particles.spheres[i]);
-            const Vec3& before = lists.inner.centers[i];
-            const Double4 moved = sphere - Double4{before[0], before[1], before[2], 0.0};
-            largest = std::max(largest, squared_length(to_cartesian(moved)));
+            largest = std::max(largest, squared_length(motion));
         }
         return largest;
     });
-    return std::sqrt(squared);
+    return {std::sqrt(squared) * settings.time_step, strain.norm()};
 }
 
 /// What the second half-kick sums as it goes: sum m v v^T by rows, and the largest speed.
@@ -131,12 +128,12 @@ void search(JamState& state, NphScratch& scratch) {
     state.list_reference = scratch.lists.outer;
 }
 
-void keep_lists_valid(JamState& state, NphScratch& scratch, double displacement) {
+void keep_lists_valid(JamState& state, const StepMotion& moved, NphScratch& scratch) {
     ListRenewal renewal;
     {
         const StageTimer timer(scratch.times, Stage::refilter);
-        renewal = keep_tiles_valid(scratch.lists, state.cell, scratch.motion, displacement,
-                                   state.particles);
+        renewal =
+            keep_tiles_valid(scratch.lists, state.cell, moved, scratch.motion, state.particles);
     }
     if (renewal == ListRenewal::search_needed) search(state, scratch);
 }
@@ -205,7 +202,7 @@ NphSettings nph_settings(const Scene& scene, const JamState& state) {
 }
 
 void begin_nph(JamState& state, const NphSettings& settings, NphScratch& scratch) {
-    scratch.motion.strain_a_step = state.velocity_gradient.norm() * settings.time_step;
+    scratch.motion.strain = state.velocity_gradient.norm() * settings.time_step;
     if (!state.list_reference.centers.empty()) {
         const std::vector<Load> loads = state.particles.loads;
         restore_lists(scratch.lists, state.list_reference, state.cell, scratch.motion,
@@ -224,12 +221,12 @@ void begin_nph(JamState& state, const NphSettings& settings, NphScratch& scratch
 
 void nph_step(JamState& state, const NphSettings& settings, NphScratch& scratch) {
     kick_cell(state, settings);
-    double displacement;
+    StepMotion moved;
     {
         const StageTimer timer(scratch.times, Stage::integrate);
-        displacement = kick_and_drift(state, settings, scratch.lists);
+        moved = kick_and_drift(state, settings);
     }
-    keep_lists_valid(state, scratch, displacement);
+    keep_lists_valid(state, moved, scratch);
     {
         const StageTimer timer(scratch.times, Stage::forces);
         evaluate_forces(state, settings, scratch, state.particles.loads);
@@ -238,8 +235,8 @@ void nph_step(JamState& state, const NphSettings& settings, NphScratch& scratch)
     const MotionSums sums = finish_loads_and_kick(state, settings, scratch);
     take_internal_pressure(state, scratch, sums.momentum_flux());
     kick_cell(state, settings);
-    scratch.motion.displacement_a_step = std::sqrt(sums.largest_speed_squared) * settings.time_step;
-    scratch.motion.strain_a_step = state.velocity_gradient.norm() * settings.time_step;
+    scratch.motion = {std::sqrt(sums.largest_speed_squared) * settings.time_step,
+                      state.velocity_gradient.norm() * settings.time_step};
     ++state.step;
     state.time += settings.time_step;
 }

@@ -55,7 +55,7 @@ struct NphScratch {
     VerletLists lists;
     ForceScratch forces;
     ContactSums sums;
-    ExpectedMotion motion;
+    StepMotion motion;
     StageTimes times;
 };
 

@@ -158,7 +158,7 @@ const ContactSums& QuasistaticRun::sums() const {
     return compacting() ? compaction_->sums : relaxation_->sums;
 }
 
-const ExpectedMotion& QuasistaticRun::motion() const {
+const StepMotion& QuasistaticRun::motion() const {
     return compacting() ? compaction_->motion : relaxation_->motion;
 }
 

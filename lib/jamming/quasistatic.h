@@ -51,7 +51,7 @@ class QuasistaticRun {
     bool at_rest() const { return at_rest_; }
 
     const ContactSums& sums() const;
-    const ExpectedMotion& motion() const;
+    const StepMotion& motion() const;
     double time_step() const { return settings_.compaction.time_step; }
     StageTimes times() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/relax_step.h"
 
+#include "cell/upper_map.h"
 #include "contacts/elastic_laws.h"
 #include "core/lanes.h"
 #include "jamming/cell_motion.h"
@@ -13,6 +14,7 @@ namespace jam {
 namespace {
 
 constexpr int steps_between_renewals = 50;
+constexpr double remembered = 0.99;  // of the fastest motion, a step
 
 // FIRE's own numbers, as published, but for the shorter cut of the time step.
 constexpr double first_mixing = 0.1;
@@ -25,13 +27,8 @@ constexpr int steps_before_growth = 10;
 /// lose any: what slides along pushes rattlers before it, and all that they lose it has to give.
 constexpr double kept_by_loose_ones = 0.999;
 
-double dot3(const Double4& a, const Double4& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Double4 times(const SymmetricBlock& m, const Double4& f) {
-    return Double4{m.xx, m.xy, m.xz, 0.0} * f[0] + Double4{m.xy, m.yy, m.yz, 0.0} * f[1] +
-           Double4{m.xz, m.yz, m.zz, 0.0} * f[2];
+Double4 dot(const Columns4& a, const Columns4& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 double squared_norm(const Mat3& inertia, const Mat3& rate) {
@@ -60,16 +57,18 @@ void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scra
                                   particles.loads, scratch.forces);
     const auto add_block = [&](Count block) {
         add_halo_loads(scratch.lists.tiles, block, scratch.forces.slots, particles.loads);
+        find_awake(particles, block, scratch.active);
         DescentSums sums;
-        for (const Index particle : scratch.active.of_block(block)) {
-            const auto i = static_cast<std::size_t>(particle);
-            const Double4 load = load4(particles.loads[i]);
-            const double squared = dot3(load, load);
-            if (squared == 0.0) continue;
-            sums.power += dot3(load, load4(particles.motions[i]));
-            sums.push_squared += dot3(load, times(scratch.metric.particles[i].inverse, load));
-            sums.net_force += std::sqrt(squared);
-        }
+        for_each_quad(scratch.active.awake_of_block(block), [&](const Quad& quad) {
+            const Columns4 load = load_columns(particles.loads, quad);
+            const Columns4 motion = load_columns(particles.motions, quad);
+            const QuadResponse metric = load_responses(scratch.metric.particles, quad);
+            const Double4 power = dot(load, motion);
+            const Double4 push_squared = dot(load, metric(load));
+            const Double4 squared = dot(load, load);
+            for (int k = 0; k < quad.count; ++k)
+                sums += {power[k], push_squared[k], std::sqrt(squared[k])};
+        });
         return sums;
     };
     const DescentSums sums = sum_active(scratch.active, DescentSums{}, add_block);
@@ -121,18 +120,7 @@ Mat3 strain_of_step(JamState& state, const RelaxSettings& settings, const Move& 
     return move.back * before + move.time_step * rate;
 }
 
-struct Moved {
-    double displacement_squared = 0.0;  ///< largest since the tiles were made
-    double largest_speed_squared = 0.0;
-
-    Moved& operator+=(const Moved& other) {
-        displacement_squared = std::max(displacement_squared, other.displacement_squared);
-        largest_speed_squared = std::max(largest_speed_squared, other.largest_speed_squared);
-        return *this;
-    }
-};
-
-/// Moves one particle after another.
+/// Moves four particles after four others.
 class Mover {
   public:
     Mover(JamState& state, const Move& move, const PeriodicCell& halfway, double largest_move,
@@ -140,55 +128,78 @@ class Mover {
         : particles_(state.particles),
           move_(move),
           to_fractional_(halfway.inverse()),
-          to_cartesian_(state.cell.matrix()),
           top_speed_(largest_move * scratch.lists.smallest_diameter / move.time_step),
-          scratch_(scratch) {}
+          metric_(scratch.metric.particles) {}
 
-    void operator()(std::size_t i, Moved& moved) const {
-        const Double4 load = load4(particles_.loads[i]);
-        const Double4 before = load4(particles_.motions[i]);
-        const bool touches = load[3] > 0.0;
-        if (!touches && dot3(before, before) == 0.0) return;
-        const Double4 after = velocity(before, load, touches, scratch_.metric.particles[i], moved);
-        store4(after, particles_.motions[i]);
-        const Double4 step = before * move_.back + after * move_.time_step;
-        const Double4 sphere = load4(particles_.spheres[i]) + to_fractional_(step);
-        store4(sphere, particles_.spheres[i]);
-        const Vec3& origin = scratch_.lists.inner.centers[i];
-        const Double4 away = to_cartesian_(sphere - Double4{origin[0], origin[1], origin[2], 0.0});
-        moved.displacement_squared = std::max(moved.displacement_squared, dot3(away, away));
+    /// Returns how far each has gone, squared.
+    Double4 operator()(const Quad& quad) const {
+        const Columns4 load = load_columns(particles_.loads, quad);
+        const Columns4 before = load_columns(particles_.motions, quad);
+        const Columns4 after = motion(before, load, load_responses(metric_, quad));
+        store_columns(after, quad, particles_.motions);
+        const Columns4 step = {before.x * move_.back + after.x * move_.time_step,
+                               before.y * move_.back + after.y * move_.time_step,
+                               before.z * move_.back + after.z * move_.time_step, Double4{}};
+        const Columns4 change = to_fractional_(step);
+        Columns4 sphere = load_columns(particles_.spheres, quad);
+        sphere.x += change.x;
+        sphere.y += change.y;
+        sphere.z += change.z;
+        store_columns(sphere, quad, particles_.spheres);
+        return dot(step, step);
     }
 
   private:
-    Double4 velocity(const Double4& before, const Double4& load, bool touches,
-                     const BlockResponse& metric, Moved& moved) const {
-        const double keep = touches ? move_.keep : kept_by_loose_ones * move_.keep;
-        Double4 after = before * keep + times(metric.inverse, load) * move_.push;
-        double squared = dot3(after, after);
-        if (squared > top_speed_ * top_speed_) {
-            after *= top_speed_ / std::sqrt(squared);
-            squared = top_speed_ * top_speed_;
-        }
-        if (!touches && squared < 1e-24 * top_speed_ * top_speed_) after = Double4{};
-        after[3] = metric.mass;
-        moved.largest_speed_squared = std::max(moved.largest_speed_squared, squared);
+    Columns4 motion(const Columns4& before, const Columns4& load,
+                    const QuadResponse& metric) const {
+        const Mask4 touches = load.w > 0.0;
+        const Double4 all = Double4{} + move_.keep;
+        const Double4 keep = touches ? all : kept_by_loose_ones * all;
+        const Columns4 push = metric(load);
+        Columns4 after = {before.x * keep + push.x * move_.push,
+                          before.y * keep + push.y * move_.push,
+                          before.z * keep + push.z * move_.push, metric.mass};
+        Double4 squared = dot(after, after);
+        const Mask4 too_fast = squared > Double4{} + top_speed_ * top_speed_;
+        if (bits_of(too_fast) != 0) scale(too_fast, squared, after);
+        const Mask4 stops = ~touches & (squared < Double4{} + 1e-24 * top_speed_ * top_speed_);
+        after.x = stops ? Double4{} : after.x;
+        after.y = stops ? Double4{} : after.y;
+        after.z = stops ? Double4{} : after.z;
+        // Who is idle depends on the state alone, who is active on the tiles, too: what the idle
+        // ones have must not.
+        const Mask4 idle = ~touches & (dot(before, before) == Double4{});
+        after.w = idle ? before.w : after.w;
         return after;
+    }
+
+    void scale(const Mask4& too_fast, const Double4& squared, Columns4& after) const {
+        for (int k = 0; k < 4; ++k) {
+            const double factor = too_fast[k] ? top_speed_ / std::sqrt(squared[k]) : 1.0;
+            after.x[k] *= factor;
+            after.y[k] *= factor;
+            after.z[k] *= factor;
+        }
     }
 
     Particles& particles_;
     Move move_;
     UpperMap to_fractional_;
-    UpperMap to_cartesian_;
     double top_speed_;
-    const RelaxScratch& scratch_;
+    const std::vector<BlockResponse>& metric_;
 };
 
-Moved move_particles(const ActiveParticles& active, const Mover& mover) {
-    return sum_active(active, Moved{}, [&](Count block) {
-        Moved moved;
-        for (const Index i : active.of_block(block)) mover(static_cast<std::size_t>(i), moved);
-        return moved;
+/// Returns how far the one that goes farthest goes.
+double move_particles(const ActiveParticles& active, const Mover& mover) {
+    const double squared = max_blocks(active.block_count(), 1, [&](Count block, Count) {
+        Double4 largest{};
+        for_each_quad(active.awake_of_block(block), [&](const Quad& quad) {
+            const Double4 moved = mover(quad);
+            largest = moved > largest ? moved : largest;
+        });
+        return std::max({largest[0], largest[1], largest[2], largest[3]});
     });
+    return std::sqrt(squared);
 }
 
 /// Of the contacts that there are; zero without any.
@@ -203,6 +214,7 @@ void renew_metric(JamState& state, const RelaxSettings& settings, RelaxScratch& 
     const double overlap = mean_overlap(scratch, settings.material, smallest);
     renew_stiffness(scratch.full, state.cell, settings.material, overlap, state.particles,
                     scratch.active, state.relax.stiffness);
+    forget_metric(state.particles, scratch.metric);
     state.relax.renewal_age = 0;
 }
 
@@ -221,14 +233,21 @@ void search(JamState& state, RelaxScratch& scratch) {
     renew_lists(scratch.lists, state.cell, scratch.motion, state.particles);
     state.list_reference = scratch.lists.outer;
     scratch.full = full_list(scratch.lists.candidates);
+    forget_metric(state.particles, scratch.metric);
 }
 
-void keep_lists_valid(JamState& state, RelaxScratch& scratch, double displacement) {
+/// What moved lately will move again: it stands still for a while only because it began anew.
+void expect_more_of(const StepMotion& moved, StepMotion& expected) {
+    expected.displacement = std::max(moved.displacement, remembered * expected.displacement);
+    expected.strain = std::max(moved.strain, remembered * expected.strain);
+}
+
+void keep_lists_valid(JamState& state, const StepMotion& moved, RelaxScratch& scratch) {
     ListRenewal renewal;
     {
         const StageTimer timer(scratch.times, Stage::refilter);
-        renewal = keep_tiles_valid(scratch.lists, state.cell, scratch.motion, displacement,
-                                   state.particles);
+        renewal =
+            keep_tiles_valid(scratch.lists, state.cell, moved, scratch.motion, state.particles);
     }
     if (renewal == ListRenewal::none) return;
     if (renewal == ListRenewal::search_needed) search(state, scratch);
@@ -248,7 +267,7 @@ void begin_relaxation(JamState& state, const RelaxSettings& settings, RelaxScrat
         scratch.full = full_list(scratch.lists.candidates);
     }
     find_active(state, scratch);
-    scratch.metric.particles.assign(state.particles.spheres.size(), {});
+    forget_metric(state.particles, scratch.metric);
     if (state.relax.stiffness.empty()) {
         evaluate(state, settings, scratch);  // for the mean overlap
         renew_metric(state, settings, scratch);
@@ -277,14 +296,14 @@ void relax_step(JamState& state, const RelaxSettings& settings, RelaxScratch& sc
     const Mat3 strain = strain_of_step(state, settings, move, cell_push);
     const PeriodicCell halfway = strained_cell(state.cell, 0.5 * strain);
     state.cell = strained_cell(state.cell, strain);
-    Moved moved;
+    StepMotion moved{.displacement = 0.0, .strain = strain.norm()};
     {
         const StageTimer timer(scratch.times, Stage::integrate);
-        moved = move_particles(scratch.active,
-                               Mover(state, move, halfway, settings.largest_move, scratch));
+        moved.displacement = move_particles(
+            scratch.active, Mover(state, move, halfway, settings.largest_move, scratch));
     }
-    scratch.motion = {std::sqrt(moved.largest_speed_squared) * move.time_step, strain.norm()};
-    keep_lists_valid(state, scratch, std::sqrt(moved.displacement_squared));
+    expect_more_of(moved, scratch.motion);
+    keep_lists_valid(state, moved, scratch);
     evaluate(state, settings, scratch);
     ++state.step;
 }

@@ -34,7 +34,7 @@ struct RelaxScratch {
     double power = 0.0;         ///< F . v, over particles and cell
     double push_squared = 0.0;  ///< F . M^-1 F
     double net_force = 0.0;     ///< sum over particles of |F|
-    ExpectedMotion motion;
+    StepMotion motion;
     StageTimes times;
 
     /// Of the last evaluation; NaN without contacts.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace jam {
 
@@ -99,6 +100,21 @@ Surroundings surroundings_of(Index i, const NeighborList& full, const PeriodicCe
     return sum;
 }
 
+/// Calls body(place, id) for particles, and has what belongs to the ids of those to come brought
+/// near: ids lie anywhere in memory.
+template <typename Body>
+void for_each_id(std::span<const Index> places, const Particles& particles,
+                 const std::vector<ParticleStiffness>& by_id, Body&& body) {
+    constexpr std::size_t ahead = 8;
+    const auto id_of = [&](std::size_t k) {
+        return particles.ids[static_cast<std::size_t>(places[k])];
+    };
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        if (k + ahead < places.size()) __builtin_prefetch(&by_id[id_of(k + ahead)]);
+        body(places[k], id_of(k));
+    }
+}
+
 }  // namespace
 
 NeighborList full_list(const NeighborList& half) {
@@ -129,20 +145,20 @@ void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const M
                      double mean_overlap, const Particles& particles, const ActiveParticles& active,
                      ContactStiffness& stiffness) {
     const double kept = stiffness.empty() ? 0.0 : kept_share;
-    stiffness.blocks.resize(particles.spheres.size());
-    stiffness.contacts.resize(particles.spheres.size());
+    stiffness.particles.resize(particles.spheres.size());
     const StiffnessSums sums = with_elastic_law(material, [&](const auto& law) {
         return sum_active(active, StiffnessSums{}, [&](Count block) {
             StiffnessSums sum;
-            for (const Index i : active.of_block(block)) {
-                if (is_idle(particles, static_cast<std::size_t>(i))) continue;
-                const Surroundings now =
-                    surroundings_of(i, full, cell, law, mean_overlap, particles);
-                const std::size_t id = particles.ids[static_cast<std::size_t>(i)];
-                mix(kept, now.block, stiffness.blocks[id]);
-                stiffness.contacts[id] = now.contacts;
-                sum += {now.cell, now.block.xx + now.block.yy + now.block.zz, now.contacts};
-            }
+            for_each_id(
+                active.awake_of_block(block), particles, stiffness.particles,
+                [&](Index i, std::size_t id) {
+                    const Surroundings now =
+                        surroundings_of(i, full, cell, law, mean_overlap, particles);
+                    ParticleStiffness& of_particle = stiffness.particles[id];
+                    mix(kept, now.block, of_particle.block);
+                    of_particle.contacts = now.contacts;
+                    sum += {now.cell, now.block.xx + now.block.yy + now.block.zz, now.contacts};
+                });
             return sum;
         });
     });
@@ -152,18 +168,24 @@ void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const M
     stiffness.typical = kept * stiffness.typical + (1.0 - kept) * typical;
 }
 
+void forget_metric(const Particles& particles, RelaxationMetric& metric) {
+    metric.particles.resize(particles.spheres.size());
+    metric.stands.assign(particles.spheres.size(), false);
+}
+
 void set_metric(const ContactStiffness& stiffness, const Particles& particles,
                 const ActiveParticles& active, RelaxationMetric& metric) {
     const double unit = stiffness.typical;
-    metric.particles.resize(particles.spheres.size());
     for_each_block(active.block_count(), 1, [&](Count block, Count, Count) {
-        for (const Index particle : active.of_block(block)) {
-            const auto i = static_cast<std::size_t>(particle);
-            const std::size_t id = particles.ids[i];
-            const bool held = stiffness.contacts[id] >= contacts_that_hold;
-            metric.particles[i] =
-                response_of(stiffness.blocks[id], unit * (held ? held_floor : loose_floor));
-        }
+        for_each_id(active.of_block(block), particles, stiffness.particles,
+                    [&](Index particle, std::size_t id) {
+                        const auto i = static_cast<std::size_t>(particle);
+                        if (std::exchange(metric.stands[i], true)) return;
+                        const ParticleStiffness& of_particle = stiffness.particles[id];
+                        const bool held = of_particle.contacts >= contacts_that_hold;
+                        metric.particles[i] = response_of(of_particle.block,
+                                                          unit * (held ? held_floor : loose_floor));
+                    });
     });
     // Without any contact the cell has no stiffness, and still must not fly away.
     metric.cell_inertia = (stiffness_factor * stiffness.cell).cwiseMax(unit);

@@ -13,6 +13,8 @@
 #include "particles/material.h"
 #include "particles/particles.h"
 
+#include <array>
+#include <cstring>
 #include <vector>
 
 namespace jam {
@@ -22,14 +24,19 @@ struct SymmetricBlock {
     double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
 };
 
-/// What the contacts around each particle resist: running means, which belong to a run's state.
-struct ContactStiffness {
-    std::vector<SymmetricBlock> blocks;  ///< by id: sum over contacts of k n n^T
-    std::vector<double> contacts;        ///< by id: how many there were at the last renewal
-    double typical = 0.0;                ///< k of a contact in the mean
-    Mat3 cell = Mat3::Zero();            ///< component (a, b): sum over contacts of k n_a^2 r_b^2
+/// What the contacts around a particle resist.
+struct alignas(64) ParticleStiffness {
+    SymmetricBlock block;   ///< sum over contacts of k n n^T, a running mean
+    double contacts = 0.0;  ///< how many there were at the last renewal
+};
 
-    bool empty() const { return blocks.empty(); }
+/// The same of all, by id, and of the cell: running means, which belong to a run's state.
+struct ContactStiffness {
+    std::vector<ParticleStiffness> particles;
+    double typical = 0.0;      ///< k of a contact in the mean
+    Mat3 cell = Mat3::Zero();  ///< component (a, b): sum over contacts of k n_a^2 r_b^2
+
+    bool empty() const { return particles.empty(); }
 };
 
 /// The inverse of a particle's block M.
@@ -38,8 +45,30 @@ struct alignas(64) BlockResponse {
     double mass = 1.0;  ///< a third of the trace of M
 };
 
+/// The same of four particles.
+struct QuadResponse {
+    Double4 xx, xy, xz, yy, yz, zz, mass;
+
+    /// M^-1 f.
+    Columns4 operator()(const Columns4& f) const {
+        return {xx * f.x + xy * f.y + xz * f.z, xy * f.x + yy * f.y + yz * f.z,
+                xz * f.x + yz * f.y + zz * f.z, Double4{}};
+    }
+};
+
+inline QuadResponse load_responses(const std::vector<BlockResponse>& responses, const Quad& quad) {
+    std::array<std::array<Double4, 2>, 4> rows;
+    static_assert(sizeof(BlockResponse) == sizeof rows[0]);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        std::memcpy(&rows[k], static_cast<const void*>(&responses[quad.at[k]]), sizeof rows[k]);
+    const Columns4 first = transposed({rows[0][0], rows[1][0], rows[2][0], rows[3][0]});
+    const Columns4 second = transposed({rows[0][1], rows[1][1], rows[2][1], rows[3][1]});
+    return {first.x, first.y, first.z, first.w, second.x, second.y, second.z};
+}
+
 struct RelaxationMetric {
     std::vector<BlockResponse> particles;  ///< by place in the arrays
+    std::vector<char> stands;              ///< whether a particle's has been set
     Mat3 cell_inertia = Mat3::Ones();      ///< upper triangle
 };
 
@@ -55,7 +84,9 @@ void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const M
 
 /// M = 3 K + floor, and for the cell three times its sum. The floor is a hundredth of the typical
 /// stiffness, but three times it for particles with fewer than four contacts, which would knock
-/// about otherwise. Sets the active particles' blocks; the others' mean nothing.
+/// about otherwise. Sets the active particles' blocks that do not stand yet: none does after
+/// forget_metric, which goes before it when the stiffness is renewed or the particles are sorted.
+void forget_metric(const Particles& particles, RelaxationMetric& metric);
 void set_metric(const ContactStiffness& stiffness, const Particles& particles,
                 const ActiveParticles& active, RelaxationMetric& metric);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "neighbors/contact_tiles.h"
 
+#include "cell/upper_map.h"
 #include "core/check.h"
+#include "core/lanes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -20,7 +22,7 @@ class TileMaker {
               const InteractionReach& reach, const Particles& particles,
               TileScratch::Thread& scratch)
         : candidates_(candidates),
-          h_(cell.matrix()),
+          to_cartesian_(cell.matrix()),
           reach_(reach),
           particles_(particles),
           scratch_(scratch) {
@@ -49,26 +51,35 @@ class TileMaker {
     }
 
   private:
+    /// Without a branch: which of the candidates are near cannot be guessed.
     void find_near(Index begin, Index end) {
-        scratch_.near.clear();
+        auto& near = scratch_.near;
+        near.resize(static_cast<std::size_t>(candidates_.pairs_of_rows(begin, end)) + 1);
+        std::size_t found = 0;
         for (Index i = begin; i < end; ++i) {
-            const Sphere& sphere = particles_.spheres[static_cast<std::size_t>(i)];
-            for (const Neighbor neighbor : candidates_.row(i))
-                if (is_near(sphere, neighbor)) scratch_.near.emplace_back(i, neighbor);
+            const Double4 sphere = load4(particles_.spheres[static_cast<std::size_t>(i)]);
+            for_each_four(candidates_.row(i), [&](const Neighbor* neighbors, int count) {
+                const unsigned bits = bits_of(are_near(sphere, neighbors)) & bits_of_first(count);
+                for (unsigned k = 0; k < 4; ++k) {
+                    near[found] = {i, neighbors[k]};
+                    found += bits >> k & 1u;
+                }
+            });
         }
+        near.resize(found);
     }
 
-    bool is_near(const Sphere& sphere, Neighbor neighbor) const {
-        const Sphere& other = particles_.spheres[static_cast<std::size_t>(neighbor.particle())];
-        const ImageShift& shift = image_shifts[neighbor.image()];
-        const double sx = sphere.center[0] - other.center[0] - shift.x;
-        const double sy = sphere.center[1] - other.center[1] - shift.y;
-        const double sz = sphere.center[2] - other.center[2] - shift.z;
-        const double dx = h_(0, 0) * sx + h_(0, 1) * sy + h_(0, 2) * sz;
-        const double dy = h_(1, 1) * sy + h_(1, 2) * sz;
-        const double dz = h_(2, 2) * sz;
-        const double farthest = reach_.of(sphere.diameter, other.diameter);
-        return dx * dx + dy * dy + dz * dz <= farthest * farthest;
+    Mask4 are_near(const Double4& sphere, const Neighbor* neighbors) const {
+        const auto separation = [&](const Neighbor& neighbor) {
+            const auto j = static_cast<std::size_t>(neighbor.particle());
+            const Double4 other = load4(particles_.spheres[j]);
+            return with_fourth_of(sphere - other - load4(image_shifts[neighbor.image()]), other);
+        };
+        const Columns4 s = transposed({separation(neighbors[0]), separation(neighbors[1]),
+                                       separation(neighbors[2]), separation(neighbors[3])});
+        const Columns4 r = to_cartesian_(s);
+        const Double4 farthest = reach_.of(Double4{} + sphere[3], s.w);
+        return r.x * r.x + r.y * r.y + r.z * r.z <= farthest * farthest;
     }
 
     /// Own participants first and in the order of the rows, so that they are read in sequence.
@@ -142,7 +153,7 @@ class TileMaker {
     static constexpr std::uint32_t none = ~0u;
 
     const NeighborList& candidates_;
-    const Mat3& h_;
+    const UpperMap to_cartesian_;
     const InteractionReach& reach_;
     const Particles& particles_;
     TileScratch::Thread& scratch_;

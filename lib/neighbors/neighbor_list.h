@@ -64,6 +64,10 @@ struct NeighborList {
 
     Index particle_count() const { return static_cast<Index>(row_begin.size()) - 1; }
     Count pair_count() const { return row_begin.empty() ? 0 : row_begin.back(); }
+    Count pairs_of_rows(Index begin, Index end) const {
+        return row_begin[static_cast<std::size_t>(end)] -
+               row_begin[static_cast<std::size_t>(begin)];
+    }
     std::span<const Neighbor> row(Index i) const {
         const auto at = static_cast<std::size_t>(i);
         return {neighbors.data() + row_begin[at], neighbors.data() + row_begin[at + 1]};

@@ -4,10 +4,14 @@
 #include "grids/collection_choice.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace jam {
 
 namespace {
+
+/// Tiles are kept that have at least half of their reach left when it is measured.
+constexpr double worth_keeping = 2.0;
 
 void take_reference(const PeriodicCell& cell, const InteractionReach& reach,
                     const Particles& particles, ListReference& reference) {
@@ -21,20 +25,21 @@ void take_reference(const PeriodicCell& cell, const InteractionReach& reach,
 }
 
 /// Reach that outlasts the next `inner_steps` steps, and no wider than the candidates'.
-InteractionReach inner_reach(const VerletLists& lists, const ExpectedMotion& motion) {
+InteractionReach inner_reach(const VerletLists& lists, const StepMotion& motion) {
     const double steps = lists.settings.inner_steps;
     constexpr double rounding = 1e-12;
-    return {std::min(lists.outer.reach.strain_margin, steps * motion.strain_a_step + rounding),
+    return {std::min(lists.outer.reach.strain_margin, steps * motion.strain + rounding),
             std::min(lists.outer.reach.skin,
-                     steps * motion.displacement_a_step + rounding * lists.smallest_diameter)};
+                     steps * motion.displacement + rounding * lists.smallest_diameter)};
 }
 
-void make_tiles(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
+void make_tiles(VerletLists& lists, const PeriodicCell& cell, const StepMotion& motion,
                 double outer_displacement, Particles& particles) {
     const InteractionReach reach = inner_reach(lists, motion);
     make_contact_tiles(lists.candidates, cell, reach, particles, lists.tile_scratch, lists.tiles);
     take_reference(cell, reach, particles, lists.inner);
     lists.outer_displacement = outer_displacement;
+    lists.inner_displacement = 0.0;
     // Particles that are in no tile keep this; see contact_forces.
     for_each_block(particles.size(), 4096, [&](Count, Count begin, Count end) {
         std::fill(particles.loads.begin() + begin, particles.loads.begin() + end,
@@ -59,6 +64,13 @@ InteractionReach reach_with_room(const VerletLists& lists, const PeriodicCell& c
     return {share * full.strain_margin, share * full.skin};
 }
 
+/// Adds a step to a bound on the displacement since an earlier place. What lies back is stretched
+/// with the cell; and fractional coordinates round.
+void add_step(const StepMotion& moved, const PeriodicCell& cell, double& displacement) {
+    const double rounding = std::numeric_limits<double>::epsilon() * cell.matrix().norm();
+    displacement = (displacement + moved.displacement) * (1.0 + moved.strain) + rounding;
+}
+
 double smallest(std::span<const double> diameters) {
     return *std::min_element(diameters.begin(), diameters.end());
 }
@@ -79,7 +91,7 @@ VerletLists::VerletLists(std::span<const double> diameters, const ListSettings& 
       settings(list_settings),
       smallest_diameter(smallest(diameters)) {}
 
-void renew_lists(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
+void renew_lists(VerletLists& lists, const PeriodicCell& cell, const StepMotion& motion,
                  Particles& particles) {
     const InteractionReach reach = reach_with_room(lists, cell);
     find_candidates(lists.hierarchy, cell, reach, particles, lists.neighbor_scratch,
@@ -90,7 +102,7 @@ void renew_lists(VerletLists& lists, const PeriodicCell& cell, const ExpectedMot
 }
 
 void restore_lists(VerletLists& lists, const ListReference& outer, const PeriodicCell& cell,
-                   const ExpectedMotion& motion, Particles& particles) {
+                   const StepMotion& motion, Particles& particles) {
     Particles then = particles;
     for (std::size_t i = 0; i < then.spheres.size(); ++i) then.spheres[i].center = outer.centers[i];
     find_candidates(lists.hierarchy, outer.cell, outer.reach, then, lists.neighbor_scratch,
@@ -99,18 +111,20 @@ void restore_lists(VerletLists& lists, const ListReference& outer, const Periodi
     make_tiles(lists, cell, motion, largest_displacement(outer, cell, particles), particles);
 }
 
-ListRenewal keep_tiles_valid(VerletLists& lists, const PeriodicCell& cell,
-                             const ExpectedMotion& motion, double inner_displacement,
-                             Particles& particles) {
-    // Two displacements add up to at most this; the factor covers their rounding and the strain of
-    // the cell between the two measurements, so that the bound never lies below the truth.
-    const double growth = std::max(1.0, 1.0 / worst_shortening(cell, lists.inner.cell));
-    const double bound = (lists.outer_displacement * growth + inner_displacement) * (1.0 + 1e-9);
-    const bool inner_valid = list_is_valid(lists.inner, cell, inner_displacement);
-    if (inner_valid && list_is_valid(lists.outer, cell, bound)) return ListRenewal::none;
-    const double displacement = largest_displacement(lists.outer, cell, particles);
-    if (!list_is_valid(lists.outer, cell, displacement)) return ListRenewal::search_needed;
-    make_tiles(lists, cell, motion, displacement, particles);
+ListRenewal keep_tiles_valid(VerletLists& lists, const PeriodicCell& cell, const StepMotion& moved,
+                             const StepMotion& expected, Particles& particles) {
+    add_step(moved, cell, lists.outer_displacement);
+    add_step(moved, cell, lists.inner_displacement);
+    if (list_is_valid(lists.inner, cell, lists.inner_displacement) &&
+        list_is_valid(lists.outer, cell, lists.outer_displacement))
+        return ListRenewal::none;
+    lists.outer_displacement = largest_displacement(lists.outer, cell, particles);
+    if (!list_is_valid(lists.outer, cell, lists.outer_displacement))
+        return ListRenewal::search_needed;
+    lists.inner_displacement = largest_displacement(lists.inner, cell, particles);
+    if (list_is_valid(lists.inner, cell, worth_keeping * lists.inner_displacement))
+        return ListRenewal::none;
+    make_tiles(lists, cell, expected, lists.outer_displacement, particles);
     return ListRenewal::tiles;
 }
 

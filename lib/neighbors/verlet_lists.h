@@ -24,7 +24,8 @@ struct VerletLists {
     double smallest_diameter;
     ListReference outer;
     ListReference inner;
-    double outer_displacement = 0.0;  ///< of the particles since `outer`, when `inner` was made
+    double outer_displacement = 0.0;  ///< of the particles since `outer`: no less than the largest
+    double inner_displacement = 0.0;  ///< and since `inner`
     NeighborList candidates;
     ContactTiles tiles;
     Count searches = 0;
@@ -33,30 +34,30 @@ struct VerletLists {
     TileScratch tile_scratch;
 };
 
-/// How far the next steps move things: what the tiles' reach is chosen from.
-struct ExpectedMotion {
-    double displacement_a_step = 0.0;  ///< of the fastest particle
-    double strain_a_step = 0.0;
+/// How far a step moves things: the particle that goes farthest, and the cell.
+struct StepMotion {
+    double displacement = 0.0;  ///< within the cell, Cartesian
+    double strain = 0.0;        ///< norm of the cell's
 };
 
 /// Searches anew at the particles' present places, which sorts and wraps them, and makes new tiles.
-void renew_lists(VerletLists& lists, const PeriodicCell& cell, const ExpectedMotion& motion,
+void renew_lists(VerletLists& lists, const PeriodicCell& cell, const StepMotion& motion,
                  Particles& particles);
 
 /// Makes the candidates again that an earlier search made at `outer`, for particles sorted as that
 /// search left them, and new tiles: a run that goes on from a checkpoint has the same rows in the
 /// same order.
 void restore_lists(VerletLists& lists, const ListReference& outer, const PeriodicCell& cell,
-                   const ExpectedMotion& motion, Particles& particles);
+                   const StepMotion& motion, Particles& particles);
 
 enum class ListRenewal : std::uint8_t { none, tiles, search_needed };
 
-/// Keeps the tiles valid for the particles' present places: leaves them, filters new ones from the
-/// candidates, or answers that only a search will do. `inner_displacement` is
-/// largest_displacement(lists.inner, ...). Whether a search is needed does not depend on how often
-/// tiles were made.
-ListRenewal keep_tiles_valid(VerletLists& lists, const PeriodicCell& cell,
-                             const ExpectedMotion& motion, double inner_displacement,
-                             Particles& particles);
+/// Keeps the tiles valid for the particles' present places, to which a step has `moved` them:
+/// leaves them, filters new ones from the candidates that outlast some steps of the `expected`
+/// motion, or answers that only a search will do. Whether a search is needed does not depend on how
+/// often tiles were made. How far particles have gone is measured only when the sum over the steps
+/// has used the reach up.
+ListRenewal keep_tiles_valid(VerletLists& lists, const PeriodicCell& cell, const StepMotion& moved,
+                             const StepMotion& expected, Particles& particles);
 
 }  // namespace jam

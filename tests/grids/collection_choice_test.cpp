@@ -12,7 +12,7 @@ namespace {
 
 constexpr InteractionReach reach{0.02, 0.1};
 
-std::vector<double> power_law(double size_ratio, Count count) {
+std::vector<double> power_law_diameters(double size_ratio, Count count) {
     std::vector<double> diameters;
     for (Count i = 0; i < count; ++i) {
         const double fraction = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
@@ -32,7 +32,7 @@ TEST(CollectionChoice, TwoSizesFarApartTakeTwo) {
 }
 
 TEST(CollectionChoice, NoGeometricOnesAreCheaperByTheModel) {
-    const std::vector<double> diameters = power_law(30.0, 20000);
+    const std::vector<double> diameters = power_law_diameters(30.0, 20000);
     const double chosen = search_cost(diameters, cheapest_collections(diameters, reach), reach);
     for (const double ratio : {1.6, 2.0, 3.0, 4.0, 6.0, 1000.0})
         EXPECT_LE(chosen, search_cost(diameters, geometric_collections(diameters, {.ratio = ratio}),
@@ -41,7 +41,7 @@ TEST(CollectionChoice, NoGeometricOnesAreCheaperByTheModel) {
 
 TEST(CollectionChoice, OneGridCostsInProportionToTheNumberItMustTest) {
     const auto cost_of_one = [](double size_ratio) {
-        const std::vector<double> diameters = power_law(size_ratio, 100000);
+        const std::vector<double> diameters = power_law_diameters(size_ratio, 100000);
         return search_cost(diameters, collections_between(diameters, {}), reach);
     };
     EXPECT_GT(cost_of_one(50.0), 3.0 * cost_of_one(20.0));

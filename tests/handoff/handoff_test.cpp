@@ -26,7 +26,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-const char* const power_law = R"(
+const char* const power_law_scene = R"(
 [sizes]
 kind = "power-law"
 alpha = 0.5
@@ -46,8 +46,8 @@ class Handoff : public testing::Test {
 };
 
 TEST_F(Handoff, HoldsTheStartWithTheMassesOfTheScene) {
-    hand_over(power_law, {"contact.density=2", "protocol.masses=equal"});
-    const Scene scene = parse_scene(power_law, "scene.toml");
+    hand_over(power_law_scene, {"contact.density=2", "protocol.masses=equal"});
+    const Scene scene = parse_scene(power_law_scene, "scene.toml");
     const std::vector<double> diameters = draw_diameters(scene);
     const std::string data = content("start.data");
     EXPECT_THAT(data, HasSubstr("300 atoms"));
@@ -63,20 +63,21 @@ TEST_F(Handoff, HoldsTheStartWithTheMassesOfTheScene) {
 
 /// What LAMMPS is told when the search has these collections.
 std::string interval_words(const ListSettings& lists) {
-    const std::vector<double> diameters = draw_diameters(parse_scene(power_law, "scene.toml"));
+    const std::vector<double> diameters =
+        draw_diameters(parse_scene(power_law_scene, "scene.toml"));
     const std::vector<double> upper = list_collections(diameters, lists).upper;
     return fmt::format("collection/interval {} {}\n", upper.size(), fmt::join(upper, " "));
 }
 
 TEST_F(Handoff, UsesTheCollectionsOfTheSearch) {
-    hand_over(power_law);
+    hand_over(power_law_scene);
     EXPECT_THAT(content("system.in"),
                 AllOf(HasSubstr("multi"), HasSubstr(interval_words({})),
                       HasSubstr("pair_style      gran/hooke 1 NULL 0.5 0.0 0.0 0 limit_damping")));
 }
 
 TEST_F(Handoff, UsesTheCollectionsThatTheSceneAsksFor) {
-    hand_over(power_law, {"run.collection_ratio=2"});
+    hand_over(power_law_scene, {"run.collection_ratio=2"});
     ASSERT_NE(interval_words({.collection_ratio = 2.0}), interval_words({}));
     EXPECT_THAT(content("system.in"), HasSubstr(interval_words({.collection_ratio = 2.0})));
 }
@@ -89,20 +90,20 @@ TEST_F(Handoff, HasOneGridForEqualSpheres) {
 }
 
 TEST_F(Handoff, FreesWhatTheSceneFrees) {
-    hand_over(power_law, {"protocol.free_cell=isotropic", "protocol.pressure=1e-4"});
+    hand_over(power_law_scene, {"protocol.free_cell=isotropic", "protocol.pressure=1e-4"});
     EXPECT_THAT(content("run.in"), AllOf(HasSubstr("iso 0.0001 0.0001"), Not(HasSubstr("pxy-"))));
     EXPECT_THAT(content("system.in"), Not(HasSubstr("triclinic")));
 }
 
 TEST_F(Handoff, KnowsAShearedPressure) {
-    hand_over(power_law, {"protocol.pressure=[1e-3,1e-3,2e-3,0,0,1e-4]"});
+    hand_over(power_law_scene, {"protocol.pressure=[1e-3,1e-3,2e-3,0,0,1e-4]"});
     EXPECT_THAT(content("run.in"), AllOf(HasSubstr("z 0.002 0.002"), HasSubstr("xy 0.0001 0.0001"),
                                          HasSubstr("nreset 1")));
     EXPECT_THAT(content("system.in"), HasSubstr("change_box      all triclinic"));
 }
 
 TEST_F(Handoff, TakesBackWhatLammpsLeaves) {
-    hand_over(power_law, {"contact.stiffness=2", "stop.cundall=1e-5"});
+    hand_over(power_law_scene, {"contact.stiffness=2", "stop.cundall=1e-5"});
     write_packing(example_packing(20), folder() / "final.dump");
     const Scene back = read_scene(folder() / "back.toml");
     EXPECT_EQ(back.start.packing, folder() / "final.dump");
@@ -111,21 +112,22 @@ TEST_F(Handoff, TakesBackWhatLammpsLeaves) {
 }
 
 TEST_F(Handoff, NeverOverwritesOne) {
-    hand_over(power_law);
+    hand_over(power_law_scene);
     const std::string before = content("start.data");
-    const std::string said = refusal_of([&] { hand_over(power_law, {"run.seed=2"}); });
+    const std::string said = refusal_of([&] { hand_over(power_law_scene, {"run.seed=2"}); });
     EXPECT_THAT(said, AllOf(HasSubstr("handed"), HasSubstr("start.data"), HasSubstr("remove")));
     EXPECT_EQ(content("start.data"), before);
 }
 
 TEST_F(Handoff, GoesOnWithTheSceneOfAPacking) {
     Packing packing = example_packing(20);
-    packing.provenance.scene = scene_text(parse_scene(power_law, "scene.toml", {}));
+    packing.provenance.scene = scene_text(parse_scene(power_law_scene, "scene.toml", {}));
     save_packing(packing, scratch_ / "packing.h5");
     const std::vector<std::string> overrides = {"stop.max_steps=7"};
     const Scene scene = scene_from_packing(scratch_ / "packing.h5", overrides);
     EXPECT_EQ(scene.start.packing, scratch_ / "packing.h5");
-    EXPECT_EQ(scene.protocol.pressure, parse_scene(power_law, "scene.toml").protocol.pressure);
+    EXPECT_EQ(scene.protocol.pressure,
+              parse_scene(power_law_scene, "scene.toml").protocol.pressure);
     EXPECT_EQ(scene.stop.max_steps, 7);
 }
 

@@ -64,6 +64,44 @@ TEST(RelaxStep, WhoeverIsNotActiveTouchesNothingAndStandsStill) {
     EXPECT_GT(idle, 0u) << "nothing was tested";
 }
 
+TEST(RelaxStep, AwakeAreThoseThatAreNotIdle) {
+    JamState state = pressed_spheres();
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    RelaxScratch scratch = begin(state, settings);
+    Count asleep = 0;
+    for (int step = 0; step < 500; ++step) {
+        relax_step(state, settings, scratch);
+        std::vector<Index> expected;
+        for (Index i = 0; i < state.particles.size(); ++i)
+            if (!is_idle(state.particles, static_cast<std::size_t>(i))) expected.push_back(i);
+        std::vector<Index> awake;
+        for (Count block = 0; block < scratch.active.block_count(); ++block)
+            for (const Index i : scratch.active.awake_of_block(block)) awake.push_back(i);
+        ASSERT_EQ(awake, expected) << "step " << step;
+        asleep += static_cast<Count>(scratch.active.particles.size() - awake.size());
+    }
+    EXPECT_GT(asleep, 0) << "nothing was tested";
+}
+
+TEST(RelaxStep, EveryActiveParticleHasTheMetricOfItsStiffness) {
+    JamState state = pressed_spheres();
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    RelaxScratch scratch = begin(state, settings);
+    for (int step = 0; step < 500; ++step) {
+        relax_step(state, settings, scratch);
+        RelaxationMetric anew;
+        forget_metric(state.particles, anew);
+        set_metric(state.relax.stiffness, state.particles, scratch.active, anew);
+        for (const Index i : scratch.active.particles) {
+            const auto at = static_cast<std::size_t>(i);
+            const BlockResponse& kept = scratch.metric.particles[at];
+            ASSERT_EQ(kept.mass, anew.particles[at].mass) << "particle " << i << ", step " << step;
+            ASSERT_EQ(kept.inverse.xy, anew.particles[at].inverse.xy);
+        }
+    }
+    EXPECT_GT(scratch.lists.refilters, 5);
+}
+
 TEST(RelaxStep, OneThatMovesIsActiveThoughItTouchesNothing) {
     JamState state = pressed_spheres();
     state.cell = PeriodicCell(Mat3(4.0 * state.cell.matrix()));

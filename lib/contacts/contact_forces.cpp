@@ -59,13 +59,19 @@ class TileForces {
     }
 
   private:
+    static std::size_t particle_of(const ContactTile& tile, std::size_t participant) {
+        return static_cast<std::size_t>(tile.participants[participant].particle());
+    }
+
     void gather_participants(const ContactTile& tile, const Particles& particles) {
         const std::size_t count = tile.participants.size();
-        s_.spheres.resize(count);
+        grow(s_.spheres, count);
         s_.loads.assign(count, Load{Vec3::Zero(), 0.0});
-        if constexpr (damped) s_.motions.resize(count);
+        if constexpr (damped) grow(s_.motions, count);
         for (std::size_t p = 0; p < count; ++p) {
-            const auto particle = static_cast<std::size_t>(tile.participants[p].particle());
+            if (p + records_ahead < count)
+                expect_read(particles.spheres[particle_of(tile, p + records_ahead)]);
+            const std::size_t particle = particle_of(tile, p);
             const Double4 sphere = load4(particles.spheres[particle]) +
                                    load4(image_shifts[tile.participants[p].image()]);
             store4(with_fourth_of(to_cartesian_(sphere), sphere), s_.spheres[p]);
@@ -77,7 +83,6 @@ class TileForces {
     std::size_t find_contacts(const ContactTile& tile) {
         const std::size_t pairs = tile.pairs.size();
         reserve(pairs + lanes);
-        s_.contacts.resize(pairs + lanes);
         std::size_t contacts = 0;
         for_each_four(std::span(tile.pairs), [&](const TilePair* four, int count) {
             contacts = pack_contacts(four, count, contacts);
@@ -112,11 +117,17 @@ class TileForces {
         return load4(s_.spheres[pair.first]) - add_diameters * load4(s_.spheres[pair.second]);
     }
 
+    /// What is in front stays; to shrink and grow again would fill it with zeros each time.
+    template <typename Value>
+    static void grow(std::vector<Value>& column, std::size_t size) {
+        if (column.size() < size) column.resize(size + size / 4);
+    }
+
     void reserve(std::size_t size) {
-        if (s_.x.size() >= size) return;
         for (auto* column : {&s_.x, &s_.y, &s_.z, &s_.distance, &s_.reach, &s_.diameter_first,
                              &s_.closing, &s_.mass, &s_.elastic, &s_.force})
-            column->resize(size + size / 4);
+            grow(*column, size);
+        grow(s_.contacts, size);
     }
 
     /// r . (v_i - v_j + L r) and the effective mass of every contact.
@@ -214,7 +225,10 @@ class TileForces {
 
     void write_loads(const ContactTile& tile, Load* loads, Load* slots) const {
         const auto own = static_cast<std::size_t>(tile.own_count);
-        for (std::size_t p = 0; p < own; ++p) loads[tile.participants[p].particle()] = s_.loads[p];
+        for (std::size_t p = 0; p < own; ++p) {
+            if (p + records_ahead < own) expect_write(loads[particle_of(tile, p + records_ahead)]);
+            store4(load4(s_.loads[p]), loads[particle_of(tile, p)]);
+        }
         std::copy(s_.loads.begin() + tile.own_count, s_.loads.end(), slots + tile.first_slot);
     }
 
@@ -275,8 +289,9 @@ void add_halo_loads(const ContactTiles& tiles, Count block, const std::vector<Lo
     const auto at = static_cast<std::size_t>(block);
     for (const Index particle : tiles.only_in_halo[at])
         loads[static_cast<std::size_t>(particle)] = {Vec3::Zero(), 0.0};
-    for (auto k = static_cast<std::size_t>(tiles.halo_begin[at]);
-         k < static_cast<std::size_t>(tiles.halo_begin[at + 1]); ++k) {
+    const auto end = static_cast<std::size_t>(tiles.halo_begin[at + 1]);
+    for (auto k = static_cast<std::size_t>(tiles.halo_begin[at]); k < end; ++k) {
+        if (k + records_ahead < end) expect_read(slots[tiles.halo_loads[k + records_ahead].slot]);
         Load& load = loads[static_cast<std::size_t>(tiles.halo_loads[k].particle)];
         store4(load4(load) + load4(slots[tiles.halo_loads[k].slot]), load);
     }

@@ -35,6 +35,20 @@ void store4(const Double4& values, Record& record) {
     std::memcpy(static_cast<void*>(&record), &values, sizeof values);
 }
 
+/// How many records before its turn one is asked for.
+inline constexpr std::size_t records_ahead = 16;
+
+/// Asks for the memory of a record that is read, or written, soon: which come next is known from a
+/// list, but where they lie cannot be guessed.
+template <typename Record>
+void expect_read(const Record& record) {
+    __builtin_prefetch(&record, 0);
+}
+template <typename Record>
+void expect_write(const Record& record) {
+    __builtin_prefetch(&record, 1);
+}
+
 /// The first three of one, the fourth of another.
 inline Double4 with_fourth_of(const Double4& first_three, const Double4& fourth) {
     return __builtin_shufflevector(first_three, fourth, 0, 1, 2, 7);

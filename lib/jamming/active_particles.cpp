@@ -11,6 +11,13 @@ bool may_move(const ContactTiles& tiles, const Particles& particles, std::size_t
 
 }  // namespace
 
+Count ActiveParticles::awake_count() const {
+    Count count = 0;
+    for (Count block = 0; block < block_count(); ++block)
+        count += static_cast<Count>(awake_of_block(block).size());
+    return count;
+}
+
 std::span<const Index> ActiveParticles::of_block(Count block) const {
     const auto at = static_cast<std::size_t>(block);
     return std::span(particles).subspan(block_begin[at], block_begin[at + 1] - block_begin[at]);
@@ -44,7 +51,14 @@ void find_active_particles(const ContactTiles& tiles, const Particles& particles
 void find_awake(const Particles& particles, Count block, ActiveParticles& active) {
     const auto at = static_cast<std::size_t>(block);
     auto place = static_cast<std::size_t>(active.block_begin[at]);
-    for (const Index i : active.of_block(block)) {
+    const std::span<const Index> of_block = active.of_block(block);
+    for (std::size_t k = 0; k < of_block.size(); ++k) {
+        if (k + records_ahead < of_block.size()) {
+            const auto coming = static_cast<std::size_t>(of_block[k + records_ahead]);
+            expect_read(particles.loads[coming]);
+            expect_read(particles.motions[coming]);
+        }
+        const Index i = of_block[k];
         active.awake[place] = i;
         place += is_idle(particles, static_cast<std::size_t>(i)) ? 0 : 1;
     }

@@ -8,6 +8,7 @@
 #include "neighbors/contact_tiles.h"
 #include "particles/particles.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -22,6 +23,7 @@ struct ActiveParticles {
     std::vector<Index> awake;        ///< of each block those that are not idle, from its begin on
     std::vector<Index> awake_end;    ///< size blocks
 
+    Count awake_count() const;
     Count block_count() const { return static_cast<Count>(block_begin.size()) - 1; }
     std::span<const Index> of_block(Count block) const;
     std::span<const Index> awake_of_block(Count block) const;
@@ -34,11 +36,14 @@ struct Quad {
     int count;
 };
 
-/// Calls body(quad) for all of them, in order.
-template <typename Body>
-void for_each_quad(std::span<const Index> particles, Body&& body) {
+/// Calls body(quad) for all of them, in order, and expect(i) for each particle some time before.
+template <typename Expect, typename Body>
+void for_each_quad(std::span<const Index> particles, Expect&& expect, Body&& body) {
+    std::size_t coming = records_ahead;
     for_each_four(particles, [&](const Index* four, int count) {
         const auto at = [four](int k) { return static_cast<std::size_t>(four[k]); };
+        for (const std::size_t end = std::min(coming + 4, particles.size()); coming < end; ++coming)
+            expect(static_cast<std::size_t>(particles[coming]));
         body(Quad{{at(0), at(1), at(2), at(3)}, count});
     });
 }

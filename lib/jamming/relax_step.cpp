@@ -59,7 +59,8 @@ void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scra
         add_halo_loads(scratch.lists.tiles, block, scratch.forces.slots, particles.loads);
         find_awake(particles, block, scratch.active);
         DescentSums sums;
-        for_each_quad(scratch.active.awake_of_block(block), [&](const Quad& quad) {
+        const auto expect = [&](std::size_t i) { expect_read(scratch.metric.particles[i]); };
+        for_each_quad(scratch.active.awake_of_block(block), expect, [&](const Quad& quad) {
             const Columns4 load = load_columns(particles.loads, quad);
             const Columns4 motion = load_columns(particles.motions, quad);
             const QuadResponse metric = load_responses(scratch.metric.particles, quad);
@@ -131,6 +132,13 @@ class Mover {
           top_speed_(largest_move * scratch.lists.smallest_diameter / move.time_step),
           metric_(scratch.metric.particles) {}
 
+    void expect(std::size_t i) const {
+        expect_read(particles_.loads[i]);
+        expect_write(particles_.motions[i]);
+        expect_read(metric_[i]);
+        expect_write(particles_.spheres[i]);
+    }
+
     /// Returns how far each has gone, squared.
     Double4 operator()(const Quad& quad) const {
         const Columns4 load = load_columns(particles_.loads, quad);
@@ -193,7 +201,8 @@ class Mover {
 double move_particles(const ActiveParticles& active, const Mover& mover) {
     const double squared = max_blocks(active.block_count(), 1, [&](Count block, Count) {
         Double4 largest{};
-        for_each_quad(active.awake_of_block(block), [&](const Quad& quad) {
+        const auto expect = [&](std::size_t i) { mover.expect(i); };
+        for_each_quad(active.awake_of_block(block), expect, [&](const Quad& quad) {
             const Double4 moved = mover(quad);
             largest = moved > largest ? moved : largest;
         });

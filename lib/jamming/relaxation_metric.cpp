@@ -2,6 +2,7 @@
 #include "jamming/relaxation_metric.h"
 
 #include "contacts/elastic_laws.h"
+#include "core/lanes.h"
 #include "core/parallel.h"
 
 #include <algorithm>
@@ -105,12 +106,11 @@ Surroundings surroundings_of(Index i, const NeighborList& full, const PeriodicCe
 template <typename Body>
 void for_each_id(std::span<const Index> places, const Particles& particles,
                  const std::vector<ParticleStiffness>& by_id, Body&& body) {
-    constexpr std::size_t ahead = 8;
     const auto id_of = [&](std::size_t k) {
         return particles.ids[static_cast<std::size_t>(places[k])];
     };
     for (std::size_t k = 0; k < places.size(); ++k) {
-        if (k + ahead < places.size()) __builtin_prefetch(&by_id[id_of(k + ahead)]);
+        if (k + records_ahead < places.size()) expect_read(by_id[id_of(k + records_ahead)]);
         body(places[k], id_of(k));
     }
 }

@@ -23,7 +23,6 @@ struct ActiveParticles {
     std::vector<Index> awake;        ///< of each block those that are not idle, from its begin on
     std::vector<Index> awake_end;    ///< size blocks
 
-    Count awake_count() const;
     Count block_count() const { return static_cast<Count>(block_begin.size()) - 1; }
     std::span<const Index> of_block(Count block) const;
     std::span<const Index> awake_of_block(Count block) const;

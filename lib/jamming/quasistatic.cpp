@@ -31,14 +31,14 @@ constexpr Count fewest_steps_of_a_rung = 20;
 constexpr double pressure_error_of_a_rung = 1e-3;
 
 // When Newton's method is worth a trial, and how long to relax at least before the next: what has
-// failed is tried ever more rarely, and takes a tenth of the time at most. It leaves no trace.
+// failed is tried ever more rarely, and takes a tenth of the time at most.
 constexpr double cundall_for_newton = 1e-5;
 constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
 constexpr Count steps_between_trials_in_their_cost = 10;
 constexpr Count never = std::numeric_limits<Count>::max() / 2;
-constexpr double operations_of_a_step = 600.0;  // in a factorization's time, a particle awake
+constexpr double operations_of_a_step = 500.0;              // a particle, in a factorization's time
 constexpr double most_operations_of_a_factorization = 3e5;  // a particle
 
 // How often to ask whether the relaxation has come to rest by itself: the answer takes a
@@ -71,10 +71,9 @@ Count verdict_interval(Count steps_on_rung) {
 }
 
 /// Steps that would have taken the time of these factorizations.
-Count cost_in_steps(const NewtonResult& newton, Count awake) {
-    return static_cast<Count>(
-        newton.factorizations * newton.operations /
-        (operations_of_a_step * static_cast<double>(std::max(awake, Count{1}))));
+Count cost_in_steps(const NewtonResult& newton, Count particles) {
+    return static_cast<Count>(newton.factorizations * newton.operations /
+                              (operations_of_a_step * static_cast<double>(particles)));
 }
 
 bool is_isotropic(const Mat3& pressure) {
@@ -244,9 +243,13 @@ void QuasistaticRun::finish() {
     const double cundall = relaxation_->cundall();
     const bool near = cundall <= cundall_for_newton ||
                       (steps >= steps_to_a_late_trial && cundall <= cundall_for_a_late_trial);
-    const bool at_minimum = near && settings_.newton_serves &&
-                            state_.step >= state_.quasistatic.next_trial && try_newton();
-    if (at_minimum || steps % verdict_interval(steps) == 0)
+    const bool trial =
+        near && settings_.newton_serves && state_.step >= state_.quasistatic.next_trial;
+    if (trial) {
+        const Count pause = std::max(try_newton(), steps);
+        state_.quasistatic.next_trial = state_.step + pause;
+    }
+    if (trial || steps % verdict_interval(steps) == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    error_of_pressure() <= settings_.stop.pressure;
     const Count between_counts =
@@ -267,7 +270,7 @@ void QuasistaticRun::climb() {
     begin_rung(settings_.climbed_pressure);
 }
 
-bool QuasistaticRun::try_newton() {
+Count QuasistaticRun::try_newton() {
     RelaxScratch& scratch = *relaxation_;
     NewtonResult result;
     {
@@ -275,21 +278,15 @@ bool QuasistaticRun::try_newton() {
         result = newton_relax(settings_.newton, scratch.lists.candidates,
                               scratch.lists.smallest_diameter, state_.cell, state_.particles);
     }
-    const Count steps_on_rung = state_.step - state_.quasistatic.rung_begin;
-    const Count pause = result.tried
-                            ? std::max({steps_between_trials, steps_on_rung,
-                                        steps_between_trials_in_their_cost *
-                                            cost_in_steps(result, scratch.active.awake_count())})
-                            : never;
-    state_.quasistatic.next_trial = state_.step + pause;
-    if (!result.converged) return false;
+    if (!result.tried) return never;
     for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
     state_.velocity_gradient.setZero();
     state_.relax.speed_squared = 0.0;
     state_.list_reference = {};
     state_.step += result.factorizations;
     begin_relaxation(state_, settings_.relax, scratch);
-    return true;
+    const Count cost = cost_in_steps(result, state_.particles.size());
+    return std::max(steps_between_trials, steps_between_trials_in_their_cost * cost);
 }
 
 }  // namespace jam

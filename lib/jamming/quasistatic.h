@@ -65,8 +65,8 @@ class QuasistaticRun {
     void finish();
     void count_missing_contacts();
     void climb();
-    /// Whether it came to a minimum; says in the state when to try again.
-    bool try_newton();
+    /// Returns for how many steps it is not worth trying again.
+    Count try_newton();
     double error_of_pressure() const;
     Mat3 rung_pressure() const;
 

@@ -68,15 +68,16 @@ class TileForces {
         grow(s_.spheres, count);
         s_.loads.assign(count, Load{Vec3::Zero(), 0.0});
         if constexpr (damped) grow(s_.motions, count);
-        for (std::size_t p = 0; p < count; ++p) {
-            if (p + records_ahead < count)
-                expect_read(particles.spheres[particle_of(tile, p + records_ahead)]);
+        const auto expect = [&](std::size_t p) {
+            expect_read(particles.spheres[particle_of(tile, p)]);
+        };
+        for_each_expected(0, count, expect, [&](std::size_t p) {
             const std::size_t particle = particle_of(tile, p);
             const Double4 sphere = load4(particles.spheres[particle]) +
                                    load4(image_shifts[tile.participants[p].image()]);
             store4(with_fourth_of(to_cartesian_(sphere), sphere), s_.spheres[p]);
             if constexpr (damped) s_.motions[p] = particles.motions[particle];
-        }
+        });
     }
 
     /// Pairs that overlap, packed.
@@ -225,10 +226,9 @@ class TileForces {
 
     void write_loads(const ContactTile& tile, Load* loads, Load* slots) const {
         const auto own = static_cast<std::size_t>(tile.own_count);
-        for (std::size_t p = 0; p < own; ++p) {
-            if (p + records_ahead < own) expect_write(loads[particle_of(tile, p + records_ahead)]);
-            store4(load4(s_.loads[p]), loads[particle_of(tile, p)]);
-        }
+        for_each_expected(
+            0, own, [&](std::size_t p) { expect_write(loads[particle_of(tile, p)]); },
+            [&](std::size_t p) { store4(load4(s_.loads[p]), loads[particle_of(tile, p)]); });
         std::copy(s_.loads.begin() + tile.own_count, s_.loads.end(), slots + tile.first_slot);
     }
 
@@ -289,12 +289,14 @@ void add_halo_loads(const ContactTiles& tiles, Count block, const std::vector<Lo
     const auto at = static_cast<std::size_t>(block);
     for (const Index particle : tiles.only_in_halo[at])
         loads[static_cast<std::size_t>(particle)] = {Vec3::Zero(), 0.0};
-    const auto end = static_cast<std::size_t>(tiles.halo_begin[at + 1]);
-    for (auto k = static_cast<std::size_t>(tiles.halo_begin[at]); k < end; ++k) {
-        if (k + records_ahead < end) expect_read(slots[tiles.halo_loads[k + records_ahead].slot]);
-        Load& load = loads[static_cast<std::size_t>(tiles.halo_loads[k].particle)];
-        store4(load4(load) + load4(slots[tiles.halo_loads[k].slot]), load);
-    }
+    const auto expect = [&](std::size_t k) { expect_read(slots[tiles.halo_loads[k].slot]); };
+    for_each_expected(static_cast<std::size_t>(tiles.halo_begin[at]),
+                      static_cast<std::size_t>(tiles.halo_begin[at + 1]), expect,
+                      [&](std::size_t k) {
+                          const HaloLoad& halo = tiles.halo_loads[k];
+                          Load& load = loads[static_cast<std::size_t>(halo.particle)];
+                          store4(load4(load) + load4(slots[halo.slot]), load);
+                      });
 }
 
 void add_halo_loads(const ContactTiles& tiles, const std::vector<Load>& slots,

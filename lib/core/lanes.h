@@ -49,6 +49,15 @@ void expect_write(const Record& record) {
     __builtin_prefetch(&record, 1);
 }
 
+/// Calls body(k) for k from begin to end, and expect(k) records_ahead turns before it.
+template <typename Expect, typename Body>
+void for_each_expected(std::size_t begin, std::size_t end, Expect&& expect, Body&& body) {
+    for (std::size_t k = begin; k < end; ++k) {
+        if (k + records_ahead < end) expect(k + records_ahead);
+        body(k);
+    }
+}
+
 /// The first three of one, the fourth of another.
 inline Double4 with_fourth_of(const Double4& first_three, const Double4& fourth) {
     return __builtin_shufflevector(first_three, fourth, 0, 1, 2, 7);

@@ -45,16 +45,16 @@ void find_awake(const Particles& particles, Count block, ActiveParticles& active
     const auto at = static_cast<std::size_t>(block);
     auto place = static_cast<std::size_t>(active.block_begin[at]);
     const std::span<const Index> of_block = active.of_block(block);
-    for (std::size_t k = 0; k < of_block.size(); ++k) {
-        if (k + records_ahead < of_block.size()) {
-            const auto coming = static_cast<std::size_t>(of_block[k + records_ahead]);
-            expect_read(particles.loads[coming]);
-            expect_read(particles.motions[coming]);
-        }
+    const auto expect = [&](std::size_t k) {
+        const auto i = static_cast<std::size_t>(of_block[k]);
+        expect_read(particles.loads[i]);
+        expect_read(particles.motions[i]);
+    };
+    for_each_expected(0, of_block.size(), expect, [&](std::size_t k) {
         const Index i = of_block[k];
         active.awake[place] = i;
         place += is_idle(particles, static_cast<std::size_t>(i)) ? 0 : 1;
-    }
+    });
     active.awake_end[at] = static_cast<Index>(place);
 }
 

@@ -109,10 +109,9 @@ void for_each_id(std::span<const Index> places, const Particles& particles,
     const auto id_of = [&](std::size_t k) {
         return particles.ids[static_cast<std::size_t>(places[k])];
     };
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        if (k + records_ahead < places.size()) expect_read(by_id[id_of(k + records_ahead)]);
-        body(places[k], id_of(k));
-    }
+    for_each_expected(
+        0, places.size(), [&](std::size_t k) { expect_read(by_id[id_of(k)]); },
+        [&](std::size_t k) { body(places[k], id_of(k)); });
 }
 
 }  // namespace

@@ -11,6 +11,13 @@ bool may_move(const ContactTiles& tiles, const Particles& particles, std::size_t
 
 }  // namespace
 
+Count ActiveParticles::awake_count() const {
+    Count count = 0;
+    for (Count block = 0; block < block_count(); ++block)
+        count += static_cast<Count>(awake_of_block(block).size());
+    return count;
+}
+
 std::span<const Index> ActiveParticles::of_block(Count block) const {
     const auto at = static_cast<std::size_t>(block);
     return std::span(particles).subspan(block_begin[at], block_begin[at + 1] - block_begin[at]);

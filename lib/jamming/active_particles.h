@@ -24,6 +24,7 @@ struct ActiveParticles {
     std::vector<Index> awake_end;    ///< size blocks
 
     Count block_count() const { return static_cast<Count>(block_begin.size()) - 1; }
+    Count awake_count() const;
     std::span<const Index> of_block(Count block) const;
     std::span<const Index> awake_of_block(Count block) const;
 };

@@ -20,6 +20,7 @@ void reduce_tilt(JamState& state) {
     const PeriodicCell::Reduction reduction = state.cell.reduced();
     state.cell = reduction.cell;
     for (Sphere& sphere : state.particles.spheres) sphere.center = reduction.change * sphere.center;
+    state.quasistatic.leap = {};
 }
 
 }  // namespace jam

@@ -12,12 +12,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t format_version = 3;
+constexpr std::int64_t format_version = 4;
 
 fs::path previous(const fs::path& path) {
     fs::path kept = path;
     kept += ".previous";
     return kept;
+}
+
+void write_centers(const hdf5::Group& group, const std::vector<Vec3>& centers) {
+    if (centers.empty()) return;
+    group.write("centers", std::span(centers.front().data(), 3 * centers.size()),
+                {centers.size(), 3});
+}
+
+std::vector<Vec3> read_centers(const hdf5::Group& group, std::size_t count) {
+    if (!group.has("centers")) return {};
+    std::vector<Vec3> centers(count);
+    group.read("centers", std::span(centers.front().data(), 3 * count), {count, 3});
+    return centers;
 }
 
 /// Records of four doubles as an array [N][4].
@@ -52,8 +65,7 @@ void write_reference(const hdf5::Group& group, const ListReference& reference) {
     write_matrix(list, "cell", reference.cell.matrix());
     list.write("strain_margin", reference.reach.strain_margin);
     list.write("skin", reference.reach.skin);
-    list.write("centers", std::span(reference.centers.front().data(), 3 * reference.centers.size()),
-               {reference.centers.size(), 3});
+    write_centers(list, reference.centers);
 }
 
 ListReference read_reference(const hdf5::Group& group, std::size_t count) {
@@ -62,8 +74,7 @@ ListReference read_reference(const hdf5::Group& group, std::size_t count) {
     const hdf5::Group list = group.open("list_reference");
     reference.cell = PeriodicCell(read_matrix(list, "cell"));
     reference.reach = {list.read<double>("strain_margin"), list.read<double>("skin")};
-    reference.centers.resize(count);
-    list.read("centers", std::span(reference.centers.front().data(), 3 * count), {count, 3});
+    reference.centers = read_centers(list, count);
     return reference;
 }
 
@@ -139,9 +150,12 @@ void write_quasistatic(const hdf5::Group& group, const QuasistaticState& quasist
     to.write("next_trial", std::int64_t{quasistatic.next_trial});
     to.write("last_whole", std::int64_t{quasistatic.last_whole});
     to.write("retreats", std::int64_t{quasistatic.retreats});
+    const hdf5::Group leap = to.create("leap");
+    leap.write("cundall", quasistatic.leap.cundall);
+    write_centers(leap, quasistatic.leap.centers);
 }
 
-QuasistaticState read_quasistatic(const hdf5::Group& group) {
+QuasistaticState read_quasistatic(const hdf5::Group& group, std::size_t count) {
     const hdf5::Group from = group.open("quasistatic");
     QuasistaticState quasistatic;
     quasistatic.stage = static_cast<QuasistaticState::Stage>(from.read<std::int64_t>("stage"));
@@ -150,6 +164,8 @@ QuasistaticState read_quasistatic(const hdf5::Group& group) {
     quasistatic.next_trial = from.read<std::int64_t>("next_trial");
     quasistatic.last_whole = from.read<std::int64_t>("last_whole");
     quasistatic.retreats = static_cast<int>(from.read<std::int64_t>("retreats"));
+    const hdf5::Group leap = from.open("leap");
+    quasistatic.leap = {leap.read<double>("cundall"), read_centers(leap, count)};
     return quasistatic;
 }
 
@@ -188,7 +204,7 @@ JamState read_state(const hdf5::Group& group) {
     state.samples = read_samples(group);
     state.list_reference = read_reference(group, count);
     state.relax = read_relaxation(group);
-    state.quasistatic = read_quasistatic(group);
+    state.quasistatic = read_quasistatic(group, count);
     return state;
 }
 

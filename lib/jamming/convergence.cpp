@@ -88,6 +88,11 @@ Measurement measure(const JamState& state, const Scene& scene) {
     return measurement;
 }
 
+Count excess_contact_count_of_held(const Packing& packing) {
+    const ForceNetwork held = find_force_network(packing, contacts_that_hold);
+    return packing_statistics(packing, held).excess_contact_count();
+}
+
 void take_sample(const Measurement& measurement, const StopSettings& stop, JamState& state) {
     auto& samples = state.samples;
     samples.push_back(

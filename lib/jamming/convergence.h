@@ -20,6 +20,10 @@ struct Measurement {
 
 Measurement measure(const JamState& state, const Scene& scene);
 
+/// Contacts above isostaticity of the network of particles that four contacts or more hold: three
+/// hold nothing where there is no friction, and a rattler that is pushed along may well have three.
+Count excess_contact_count_of_held(const Packing& packing);
+
 /// Adds the measurement to the state's samples and drops those that no window needs any more.
 void take_sample(const Measurement& measurement, const StopSettings& stop, JamState& state);
 

@@ -31,6 +31,12 @@ struct RelaxState {
     ContactStiffness stiffness;
 };
 
+/// Where particles were some steps ago, with which a run at a saddle compares (saddle_leap.h).
+struct LeapReference {
+    double cundall = 0.0;       ///< then
+    std::vector<Vec3> centers;  ///< by id, fractional; empty: there is none
+};
+
 /// Where a quasi-static run stands (quasistatic.h).
 struct QuasistaticState {
     enum class Stage : std::uint8_t { compaction, ladder };
@@ -40,6 +46,7 @@ struct QuasistaticState {
     Count next_trial = 0;   ///< step from which the end of the last rung is tried again
     Count last_whole = 0;   ///< step at which the last rung was last seen without missing contacts
     int retreats = 0;       ///< times that the ladder was climbed again, in smaller steps
+    LeapReference leap;
 };
 
 struct JamState {

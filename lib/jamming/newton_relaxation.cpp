@@ -19,7 +19,9 @@ constexpr double largest_move_in_windows = 0.2;
 constexpr int most_inner_steps = 12;
 constexpr double inner_accuracy = 1e-2;  // of the model's slope at the start
 constexpr double least_damping = 1e-8;   // times the mean force
+constexpr double first_damping = 1.0;
 constexpr double most_damping = 1e6;
+constexpr int steps_to_bring_damping_down = 2;
 
 double mean_overlap_of(const NeighborList& candidates, const PeriodicCell& cell,
                        const Particles& particles) {
@@ -85,7 +87,7 @@ class Descent {
     NewtonResult run(Mat3& deformation, VectorXd& displacement) {
         NewtonResult result{.tried = true};
         while (!reached() && solver_.factorizations() < settings_.most_factorizations &&
-               damping_ < most_damping && displacement_left_ > 0.0) {
+               damping_ < most_damping && displacement_left_ > 0.0 && !stays_damped(result)) {
             VectorXd step;
             const double predicted = minimise_model(step);
             if (!(predicted > 0.0)) break;
@@ -102,6 +104,10 @@ class Descent {
     }
 
   private:
+    bool stays_damped(const NewtonResult& so_far) const {
+        return so_far.steps >= steps_to_bring_damping_down && damping_ >= first_damping;
+    }
+
     bool reached() const {
         return model_.now().cundall <= settings_.cundall &&
                model_.now().pressure_error <= settings_.cundall;
@@ -187,8 +193,8 @@ class Descent {
     ModelSolver& solver_;
     double largest_move_;
     double displacement_left_ =
-        2.5 * largest_move_;  // half a window: what is left for pairs to close
-    double damping_ = 1.0;    // times the mean force
+        2.5 * largest_move_;          // half a window: what is left for pairs to close
+    double damping_ = first_damping;  // times the mean force
     ModelCurvature curvature_;
 };
 
@@ -207,6 +213,7 @@ NewtonResult newton_relax(const NewtonSettings& settings, const NeighborList& ca
     VectorXd displacement = VectorXd::Zero(3 * model.particle_count());
     Descent descent(settings, model, solver, largest_move_in_windows * window);
     const NewtonResult result = descent.run(deformation, displacement);
+    if (!result.converged) return result;
     cell = PeriodicCell(
         Mat3(Mat3(deformation * cell.matrix()).triangularView<Eigen::Upper>().toDenseMatrix()));
     for (std::size_t row = 0; row < model.particles().size(); ++row) {

@@ -3,6 +3,7 @@
 
 #include "contacts/elastic_laws.h"
 #include "jamming/convergence.h"
+#include "jamming/saddle_leap.h"
 
 #include <algorithm>
 #include <bit>
@@ -31,20 +32,27 @@ constexpr Count fewest_steps_of_a_rung = 20;
 constexpr double pressure_error_of_a_rung = 1e-3;
 
 // When Newton's method is worth a trial, and how long to relax at least before the next: what has
-// failed is tried ever more rarely, and takes a tenth of the time at most.
+// failed is tried ever more rarely, and takes a tenth of the time at most. It leaves no trace.
 constexpr double cundall_for_newton = 1e-5;
 constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
 constexpr Count steps_between_trials_in_their_cost = 10;
 constexpr Count never = std::numeric_limits<Count>::max() / 2;
-constexpr double operations_of_a_step = 500.0;              // a particle, in a factorization's time
+constexpr double operations_of_a_step = 600.0;  // in a factorization's time, a particle awake
 constexpr double most_operations_of_a_factorization = 3e5;  // a particle
 
 // How often to ask whether the relaxation has come to rest by itself: the answer takes a
 // factorization, so it is asked for half as often each time that a long rung doubles its length.
 constexpr Count steps_between_verdicts = 2'000;
 constexpr Count steps_of_a_long_rung = 100'000;
+
+// At a saddle C is small, and grows. Leaps are long enough to leave it: with a tenth of the length a
+// run swings about it. One look after a verdict, so that what is judged is what came to rest.
+constexpr Count steps_between_leaps = 2'000;
+constexpr double cundall_at_a_saddle = 3.0;  // in the tolerated one
+constexpr double growth_at_a_saddle = 1.02;
+constexpr double longest_leap = 1e-3;  // in smallest diameters
 
 // The ladder is climbed again when contacts have been missing to isostaticity, whenever asked, for
 // this many times a rung's steps. Contacts flicker while an event passes, so one look proves
@@ -71,9 +79,10 @@ Count verdict_interval(Count steps_on_rung) {
 }
 
 /// Steps that would have taken the time of these factorizations.
-Count cost_in_steps(const NewtonResult& newton, Count particles) {
-    return static_cast<Count>(newton.factorizations * newton.operations /
-                              (operations_of_a_step * static_cast<double>(particles)));
+Count cost_in_steps(const NewtonResult& newton, Count awake) {
+    return static_cast<Count>(
+        newton.factorizations * newton.operations /
+        (operations_of_a_step * static_cast<double>(std::max(awake, Count{1}))));
 }
 
 bool is_isotropic(const Mat3& pressure) {
@@ -209,6 +218,7 @@ void QuasistaticRun::begin_rung(double pressure) {
     state_.quasistatic.rung_begin = state_.step;
     state_.quasistatic.next_trial = state_.step;
     state_.quasistatic.last_whole = state_.step;
+    state_.quasistatic.leap = {};
     settings_.relax.pressure = rung_pressure();
 }
 
@@ -243,22 +253,35 @@ void QuasistaticRun::finish() {
     const double cundall = relaxation_->cundall();
     const bool near = cundall <= cundall_for_newton ||
                       (steps >= steps_to_a_late_trial && cundall <= cundall_for_a_late_trial);
-    const bool trial =
-        near && settings_.newton_serves && state_.step >= state_.quasistatic.next_trial;
-    if (trial) {
-        const Count pause = std::max(try_newton(), steps);
-        state_.quasistatic.next_trial = state_.step + pause;
-    }
-    if (trial || steps % verdict_interval(steps) == 0)
+    const bool at_minimum = near && settings_.newton_serves &&
+                            state_.step >= state_.quasistatic.next_trial && try_newton();
+    if (at_minimum || steps % verdict_interval(steps) == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    error_of_pressure() <= settings_.stop.pressure;
+    if (steps % steps_between_leaps == steps_between_looks) leap_from_saddle();
     const Count between_counts =
         std::max(settings_.ladder.most_steps / counts_in_a_rung, steps_between_verdicts);
     if (steps % between_counts < steps_between_looks) count_missing_contacts();
 }
 
+void QuasistaticRun::leap_from_saddle() {
+    LeapReference& before = state_.quasistatic.leap;
+    const double cundall = relaxation_->cundall();
+    const bool near = cundall <= cundall_at_a_saddle * settings_.stop.cundall;
+    const bool leaves = !before.centers.empty() && cundall > growth_at_a_saddle * before.cundall;
+    if (near && leaves) {
+        const double smallest = relaxation_->lists.smallest_diameter;
+        leap(before, state_.cell, longest_leap * smallest, state_.particles);
+        state_.list_reference = {};
+        before = {};
+        begin_relaxation(state_, settings_.relax, *relaxation_);
+    } else {
+        before = near ? leap_reference(state_.particles, cundall) : LeapReference{};
+    }
+}
+
 void QuasistaticRun::count_missing_contacts() {
-    if (measure(state_, scene_).statistics.excess_contact_count() >= 0)
+    if (excess_contact_count_of_held(to_packing(state_, scene_)) >= 0)
         state_.quasistatic.last_whole = state_.step;
     else if (state_.step - state_.quasistatic.last_whole >= patience * settings_.ladder.most_steps)
         climb();
@@ -270,7 +293,7 @@ void QuasistaticRun::climb() {
     begin_rung(settings_.climbed_pressure);
 }
 
-Count QuasistaticRun::try_newton() {
+bool QuasistaticRun::try_newton() {
     RelaxScratch& scratch = *relaxation_;
     NewtonResult result;
     {
@@ -278,15 +301,22 @@ Count QuasistaticRun::try_newton() {
         result = newton_relax(settings_.newton, scratch.lists.candidates,
                               scratch.lists.smallest_diameter, state_.cell, state_.particles);
     }
-    if (!result.tried) return never;
+    const Count steps_on_rung = state_.step - state_.quasistatic.rung_begin;
+    const Count pause = result.tried
+                            ? std::max({steps_between_trials, steps_on_rung,
+                                        steps_between_trials_in_their_cost *
+                                            cost_in_steps(result, scratch.active.awake_count())})
+                            : never;
+    state_.quasistatic.next_trial = state_.step + pause;
+    if (!result.converged) return false;
     for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
     state_.velocity_gradient.setZero();
     state_.relax.speed_squared = 0.0;
     state_.list_reference = {};
+    state_.quasistatic.leap = {};
     state_.step += result.factorizations;
     begin_relaxation(state_, settings_.relax, scratch);
-    const Count cost = cost_in_steps(result, state_.particles.size());
-    return std::max(steps_between_trials, steps_between_trials_in_their_cost * cost);
+    return true;
 }
 
 }  // namespace jam

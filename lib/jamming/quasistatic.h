@@ -63,10 +63,11 @@ class QuasistaticRun {
     void end_rung();
     void relax();
     void finish();
+    void leap_from_saddle();
     void count_missing_contacts();
     void climb();
-    /// Returns for how many steps it is not worth trying again.
-    Count try_newton();
+    /// Whether it came to a minimum; says in the state when to try again.
+    bool try_newton();
     double error_of_pressure() const;
     Mat3 rung_pressure() const;
 

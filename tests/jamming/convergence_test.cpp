@@ -113,5 +113,21 @@ TEST(Convergence, AThreeContactSphereMayBeWhatSomethingLeansOn) {
     EXPECT_TRUE(stability.holds) << stability.value;
 }
 
+TEST(Convergence, TwoThatPushEachOtherAlongAreMissingNoContact) {
+    // In each hole of a simple cubic crystal two small spheres that touch each other and two
+    // neighbors each: three contacts for a sphere, five for six freedoms.
+    const double place = (0.5 + std::sqrt(0.5)) / (2.0 + std::sqrt(2.0));
+    const double radius = std::sqrt(0.5) * (1.0 - 2.0 * place) + 1e-9;
+    Packing packing = test::simple_cubic(3, 1.0, 1.0 + 1e-9);
+    const Vec3 corner = packing.positions.front();
+    add(packing, corner + Vec3(0.5, place, place), 2.0 * radius);
+    add(packing, corner + Vec3(0.5, 1.0 - place, 1.0 - place), 2.0 * radius);
+
+    const PackingStatistics all = packing_statistics(packing, find_force_network(packing));
+    ASSERT_EQ(all.contact_count_nr, 3 * 27 + 5);
+    ASSERT_EQ(all.rattler_count, 0);
+    EXPECT_EQ(excess_contact_count_of_held(packing), all.excess_contact_count() + 1);
+}
+
 }  // namespace
 }  // namespace jam

@@ -127,5 +127,29 @@ TEST(NewtonRelaxation, LeavesAloneWhatWouldTakeTooLong) {
     EXPECT_EQ(dense.state.particles.spheres[0].center, before);
 }
 
+TEST(NewtonRelaxation, LeavesNoTraceWhereItReachesNoMinimum) {
+    Dense dense;
+    const JamState before = dense.state;
+    const NewtonResult result = newton_relax(
+        {.material = dense.scene.contact, .pressure = dense.pressure, .most_factorizations = 3},
+        dense.lists.candidates, 1.0, dense.state.cell, dense.state.particles);
+    EXPECT_TRUE(result.tried);
+    EXPECT_FALSE(result.converged);
+    EXPECT_GE(result.factorizations, 3);
+    EXPECT_EQ(dense.state.cell.matrix(), before.cell.matrix());
+    for (std::size_t i = 0; i < before.particles.spheres.size(); ++i)
+        EXPECT_EQ(dense.state.particles.spheres[i].center, before.particles.spheres[i].center);
+}
+
+TEST(NewtonRelaxation, GivesUpEarlyWhereParticlesAreAboutToBuckle) {
+    Dense dense;
+    const NewtonResult result = newton_relax(
+        {.material = dense.scene.contact, .pressure = dense.pressure, .most_factorizations = 1000},
+        dense.lists.candidates, 1.0, dense.state.cell, dense.state.particles);
+    EXPECT_FALSE(result.converged);
+    EXPECT_EQ(result.steps, 2);
+    EXPECT_LT(result.factorizations, 100);
+}
+
 }  // namespace
 }  // namespace jam

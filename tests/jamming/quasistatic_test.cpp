@@ -3,6 +3,7 @@
 
 #include "jamming/checkpoint_file.h"
 #include "jamming/jam_packing.h"
+#include "support/scratch_folder.h"
 #include "support/state_bits.h"
 
 #include <gtest/gtest.h>
@@ -91,6 +92,43 @@ TEST(Quasistatic, GoesOnWithTheSameBitsWhereverItWasStopped) {
     }
     std::filesystem::remove(file);
     std::filesystem::remove(file.string() + ".previous");
+}
+
+/// Never judged to be at rest, so that it creeps on and leaps.
+Scene creeping_scene() {
+    Scene scene = small_scene(250);
+    scene.protocol.free_cell = FreeCell::orthogonal;  // where Newton's method does not serve
+    scene.stop.cundall = 1e-3;
+    scene.stop.pressure = 1e-15;
+    scene.stop.max_steps = 35'000;
+    return scene;
+}
+
+TEST(Quasistatic, LeapsFromSaddlesWithTheSameBitsWhereverItWasStopped) {
+    const test::ScratchFolder folder;
+    const Scene scene = creeping_scene();
+    JamState whole = start_state(scene);
+    bool looked_back = false;
+    Count leaps = 0;
+    Count before_a_leap = 0;
+    const auto watch = [&] {
+        const bool looks_back = !whole.quasistatic.leap.centers.empty();
+        if (looked_back && !looks_back) {
+            ++leaps;
+            before_a_leap = whole.step - 1;
+        }
+        looked_back = looks_back;
+        return false;
+    };
+    jam_packing(scene, whole, {.stop_requested = watch});
+    ASSERT_GT(leaps, 0);
+    JamState state = start_state(scene);
+    jam_packing(scene, state, {.stop_requested = [&] { return state.step >= before_a_leap; }});
+    ASSERT_FALSE(state.quasistatic.leap.centers.empty());
+    save_checkpoint(state, "scene", folder / "checkpoint.h5");
+    Checkpoint checkpoint = load_checkpoint(folder / "checkpoint.h5");
+    jam_packing(scene, checkpoint.state);
+    EXPECT_EQ(bits_of(checkpoint.state), bits_of(whole));
 }
 
 TEST(Quasistatic, BeginsLowerWhereSizesAreWide) {

@@ -101,11 +101,7 @@ std::deque<Sample> read_samples(const hdf5::Group& group) {
 
 void write_relaxation(const hdf5::Group& group, const RelaxState& relax) {
     const hdf5::Group to = group.create("relaxation");
-    to.write("time_step", relax.time_step);
-    to.write("mixing", relax.mixing);
-    to.write("steps_downhill", std::int64_t{relax.steps_downhill});
     to.write("renewal_age", std::int64_t{relax.renewal_age});
-    to.write("speed_squared", relax.speed_squared);
     const ContactStiffness& stiffness = relax.stiffness;
     to.write("stiffness_typical", stiffness.typical);
     write_matrix(to, "stiffness_cell", stiffness.cell);
@@ -124,11 +120,7 @@ void write_relaxation(const hdf5::Group& group, const RelaxState& relax) {
 RelaxState read_relaxation(const hdf5::Group& group) {
     const hdf5::Group from = group.open("relaxation");
     RelaxState relax;
-    relax.time_step = from.read<double>("time_step");
-    relax.mixing = from.read<double>("mixing");
-    relax.steps_downhill = static_cast<int>(from.read<std::int64_t>("steps_downhill"));
     relax.renewal_age = static_cast<int>(from.read<std::int64_t>("renewal_age"));
-    relax.speed_squared = from.read<double>("speed_squared");
     ContactStiffness& stiffness = relax.stiffness;
     stiffness.typical = from.read<double>("stiffness_typical");
     stiffness.cell = read_matrix(from, "stiffness_cell");

@@ -23,11 +23,7 @@ struct Sample {
 /// What a relaxation (relax_step.h) remembers from step to step; its velocities stand with the
 /// particles and the cell.
 struct RelaxState {
-    double time_step = 0.3;      ///< in the metric's units
-    double mixing = 0.1;         ///< FIRE's alpha
-    int steps_downhill = 0;      ///< since the power was last negative
-    int renewal_age = 0;         ///< steps since the stiffness was renewed
-    double speed_squared = 0.0;  ///< v . M v after the last move, particles and cell
+    int renewal_age = 0;  ///< steps since the stiffness was renewed
     ContactStiffness stiffness;
 };
 

@@ -47,8 +47,8 @@ constexpr double most_operations_of_a_factorization = 3e5;  // a particle
 constexpr Count steps_between_verdicts = 2'000;
 constexpr Count steps_of_a_long_rung = 100'000;
 
-// At a saddle C is small, and grows. Leaps are long enough to leave it: with a tenth of the length a
-// run swings about it. One look after a verdict, so that what is judged is what came to rest.
+// At a saddle C is small, and grows. Leaps are long enough to leave it: with a tenth of the length
+// a run swings about it. One look after a verdict, so that what is judged is what came to rest.
 constexpr Count steps_between_leaps = 2'000;
 constexpr double cundall_at_a_saddle = 3.0;  // in the tolerated one
 constexpr double growth_at_a_saddle = 1.02;
@@ -311,7 +311,6 @@ bool QuasistaticRun::try_newton() {
     if (!result.converged) return false;
     for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
     state_.velocity_gradient.setZero();
-    state_.relax.speed_squared = 0.0;
     state_.list_reference = {};
     state_.quasistatic.leap = {};
     state_.step += result.factorizations;

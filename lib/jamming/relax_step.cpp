@@ -16,12 +16,13 @@ namespace {
 constexpr int steps_between_renewals = 50;
 constexpr double remembered = 0.99;  // of the fastest motion, a step
 
-// FIRE's own numbers, as published, but for the shorter cut of the time step.
-constexpr double first_mixing = 0.1;
-constexpr double mixing_decay = 0.99;
-constexpr double growth = 1.05;
-constexpr double cut = 0.6;
-constexpr int steps_before_growth = 10;
+// What slides far is driven by a small share of the pressure, and must not be held back: in the
+// metric's units slow modes turn over in 1 / sqrt(overlap) steps, and friction leaves them as long.
+// Fast modes are damped by forces that look ahead. And whoever runs into others must not shake them
+// loose, so nobody goes faster than a few overlaps a step.
+constexpr double friction_in_roots_of_overlap = 0.5;
+constexpr double most_friction = 0.5;         // of a velocity in a step
+constexpr double fastest_in_overlaps = 20.0;  // in a step
 
 /// Share of its velocity that a particle keeps in a step while it touches nothing. It must hardly
 /// lose any: what slides along pushes rattlers before it, and all that they lose it has to give.
@@ -31,23 +32,17 @@ Double4 dot(const Columns4& a, const Columns4& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-double squared_norm(const Mat3& inertia, const Mat3& rate) {
-    return inertia.cwiseProduct(rate).cwiseProduct(rate).sum();
+double sum_of_forces(std::span<const Index> awake, const std::vector<Load>& loads) {
+    double sum = 0.0;
+    for_each_quad(
+        awake, [](std::size_t) {},
+        [&](const Quad& quad) {
+            const Columns4 load = load_columns(loads, quad);
+            const Double4 squared = dot(load, load);
+            for (int k = 0; k < quad.count; ++k) sum += std::sqrt(squared[k]);
+        });
+    return sum;
 }
-
-/// What the particles add to the decision about the next step.
-struct DescentSums {
-    double power = 0.0;
-    double push_squared = 0.0;
-    double net_force = 0.0;
-
-    DescentSums& operator+=(const DescentSums& other) {
-        power += other.power;
-        push_squared += other.push_squared;
-        net_force += other.net_force;
-        return *this;
-    }
-};
 
 /// Forces over tiles and slots, and what follows from them.
 void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scratch) {
@@ -55,59 +50,36 @@ void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scra
     Particles& particles = state.particles;
     scratch.sums = contact_forces(state.cell, settings.material, {}, scratch.lists.tiles, particles,
                                   particles.loads, scratch.forces);
-    const auto add_block = [&](Count block) {
+    scratch.net_force = sum_active(scratch.active, 0.0, [&](Count block) {
         add_halo_loads(scratch.lists.tiles, block, scratch.forces.slots, particles.loads);
         find_awake(particles, block, scratch.active);
-        DescentSums sums;
-        const auto expect = [&](std::size_t i) { expect_read(scratch.metric.particles[i]); };
-        for_each_quad(scratch.active.awake_of_block(block), expect, [&](const Quad& quad) {
-            const Columns4 load = load_columns(particles.loads, quad);
-            const Columns4 motion = load_columns(particles.motions, quad);
-            const QuadResponse metric = load_responses(scratch.metric.particles, quad);
-            const Double4 power = dot(load, motion);
-            const Double4 push_squared = dot(load, metric(load));
-            const Double4 squared = dot(load, load);
-            for (int k = 0; k < quad.count; ++k)
-                sums += {power[k], push_squared[k], std::sqrt(squared[k])};
-        });
-        return sums;
-    };
-    const DescentSums sums = sum_active(scratch.active, DescentSums{}, add_block);
+        return sum_of_forces(scratch.active.awake_of_block(block), particles.loads);
+    });
     state.pressure = scratch.sums.virial / state.cell.volume();
-    scratch.power = sums.power;
-    scratch.push_squared = sums.push_squared;
-    scratch.net_force = sums.net_force;
 }
 
-/// How velocities and places change in one step: v' = keep v + push M^-1 F, x' = x + back v + dt
-/// v'.
+/// How velocities and places change in one step: v' = keep v + push M^-1 F, x' = x + back v +
+/// forth v'; and how far a particle may go.
 struct Move {
-    double keep, push, back, time_step;
+    double keep, push, back, forth, farthest;
 };
 
-/// Downhill the velocity turns towards the force and the step grows; uphill the last half step is
-/// taken back and the motion begins anew.
-Move next_move(RelaxState& relax, double power, double push_squared, double largest_time_step) {
-    if (power < 0.0) {
-        const double before = relax.time_step;
-        relax.time_step *= cut;
-        relax.mixing = first_mixing;
-        relax.steps_downhill = 0;
-        return {0.0, relax.time_step, -0.5 * before, relax.time_step};
-    }
-    if (++relax.steps_downhill > steps_before_growth) {
-        relax.time_step = std::min(growth * relax.time_step, largest_time_step);
-        relax.mixing *= mixing_decay;
-    }
-    const double turn = push_squared > 0.0 ? std::sqrt(relax.speed_squared / push_squared) : 0.0;
-    return {1.0 - relax.mixing, relax.mixing * turn + relax.time_step, 0.0, relax.time_step};
-}
-
-/// v' . M v' from the sums over v and F before: exact but for what the caps on the motion take away
-/// and the metric's renewal changes, both of which the next motion uphill forgets.
-double speed_squared_after(double before, const Move& move, double power, double push_squared) {
-    return std::max(0.0, move.keep * move.keep * before + 2.0 * move.keep * move.push * power +
-                             move.push * move.push * push_squared);
+/// What is kept as a place is where the particle will be `look_ahead` later, x + look_ahead v, so
+/// that forces are felt before their time: a mode of frequency w loses w^2 look_ahead of its
+/// velocity, whichever way it goes (Nesterov, Doklady Akad. Nauk SSSR 269, 543, 1983).
+Move next_move(const RelaxSettings& settings, double smallest_diameter) {
+    const double pressure = settings.pressure.trace() / 3.0;
+    const double force = pressure * smallest_diameter * smallest_diameter;
+    const double overlap = overlap_of_force(settings.material, force, smallest_diameter);
+    const double friction =
+        std::min(most_friction, friction_in_roots_of_overlap *
+                                    std::sqrt(overlap / smallest_diameter) * settings.time_step);
+    return {.keep = 1.0 - friction,
+            .push = settings.time_step,
+            .back = -settings.look_ahead,
+            .forth = settings.time_step + settings.look_ahead,
+            .farthest =
+                std::min(settings.largest_move * smallest_diameter, fastest_in_overlaps * overlap)};
 }
 
 /// Moves on the cell's rate of strain and returns the strain of this step.
@@ -116,20 +88,20 @@ Mat3 strain_of_step(JamState& state, const RelaxSettings& settings, const Move& 
     const Mat3 before = state.velocity_gradient;
     Mat3& rate = state.velocity_gradient;
     rate = move.keep * before + move.push * push;
-    const double strain = rate.norm() * move.time_step;
+    const double strain = rate.norm() * move.push;
     if (strain > settings.largest_strain) rate *= settings.largest_strain / strain;
-    return move.back * before + move.time_step * rate;
+    return move.back * before + move.forth * rate;
 }
 
 /// Moves four particles after four others.
 class Mover {
   public:
-    Mover(JamState& state, const Move& move, const PeriodicCell& halfway, double largest_move,
+    Mover(JamState& state, const Move& move, const PeriodicCell& halfway,
           const RelaxScratch& scratch)
         : particles_(state.particles),
           move_(move),
           to_fractional_(halfway.inverse()),
-          top_speed_(largest_move * scratch.lists.smallest_diameter / move.time_step),
+          top_speed_(move.farthest / move.push),
           metric_(scratch.metric.particles) {}
 
     void expect(std::size_t i) const {
@@ -145,9 +117,9 @@ class Mover {
         const Columns4 before = load_columns(particles_.motions, quad);
         const Columns4 after = motion(before, load, load_responses(metric_, quad));
         store_columns(after, quad, particles_.motions);
-        const Columns4 step = {before.x * move_.back + after.x * move_.time_step,
-                               before.y * move_.back + after.y * move_.time_step,
-                               before.z * move_.back + after.z * move_.time_step, Double4{}};
+        const Columns4 step = {before.x * move_.back + after.x * move_.forth,
+                               before.y * move_.back + after.y * move_.forth,
+                               before.z * move_.back + after.z * move_.forth, Double4{}};
         const Columns4 change = to_fractional_(step);
         Columns4 sphere = load_columns(particles_.spheres, quad);
         sphere.x += change.x;
@@ -296,20 +268,14 @@ void relax_step(JamState& state, const RelaxSettings& settings, RelaxScratch& sc
     const Mat3 cell_force = allowed_strain(
         state.cell.volume() * (state.pressure - settings.pressure), settings.free_cell);
     const Mat3 cell_push = allowed_strain(cell_force.cwiseQuotient(inertia), settings.free_cell);
-    const double power = scratch.power + cell_force.cwiseProduct(state.velocity_gradient).sum();
-    const double push_squared = scratch.push_squared + squared_norm(inertia, cell_push);
-    const Move move = next_move(relax, power, push_squared, settings.largest_time_step);
-
-    relax.speed_squared = speed_squared_after(relax.speed_squared, move, power, push_squared);
-
+    const Move move = next_move(settings, scratch.lists.smallest_diameter);
     const Mat3 strain = strain_of_step(state, settings, move, cell_push);
     const PeriodicCell halfway = strained_cell(state.cell, 0.5 * strain);
     state.cell = strained_cell(state.cell, strain);
     StepMotion moved{.displacement = 0.0, .strain = strain.norm()};
     {
         const StageTimer timer(scratch.times, Stage::integrate);
-        moved.displacement = move_particles(
-            scratch.active, Mover(state, move, halfway, settings.largest_move, scratch));
+        moved.displacement = move_particles(scratch.active, Mover(state, move, halfway, scratch));
     }
     expect_more_of(moved, scratch.motion);
     keep_lists_valid(state, moved, scratch);

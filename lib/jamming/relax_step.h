@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step of the relaxation of the enthalpy U(x, h) + p V in positions and cell together: FIRE
-// (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006) in the metric of relaxation_metric.h.
+// One step of the relaxation of the enthalpy U(x, h) + p V in positions and cell together: motion
+// with little friction, and forces that look ahead, in the metric of relaxation_metric.h.
 #pragma once
 
 #include "contacts/contact_forces.h"
@@ -15,9 +15,13 @@ struct RelaxSettings {
     Material material;
     Mat3 pressure = Mat3::Zero();  ///< applied; symmetric
     FreeCell free_cell = FreeCell::all;
-    double largest_time_step = 1.2;  ///< in the metric's units; above 2.4 no contact is stable
-    double largest_move = 0.02;      ///< of a particle in a step, in smallest diameters
-    double largest_strain = 1e-3;    ///< of the cell in a step
+    /// In the metric's units, in which no mode is faster than w^2 = 2/3 where contacts are as many
+    /// and as stiff as when it was renewed. Stable while time_step (time_step + 2 look_ahead) w^2 <
+    /// 4: stiffness may double meanwhile.
+    double time_step = 1.2;
+    double look_ahead = 0.6;       ///< of the forces, in the same units
+    double largest_move = 0.02;    ///< of a particle in a step, in smallest diameters
+    double largest_strain = 1e-3;  ///< of the cell in a step
 };
 
 /// Memory of the steps, kept between them.
@@ -31,9 +35,7 @@ struct RelaxScratch {
     ActiveParticles active;  ///< while lists.tiles stand
     ForceScratch forces;
     ContactSums sums;
-    double power = 0.0;         ///< F . v, over particles and cell
-    double push_squared = 0.0;  ///< F . M^-1 F
-    double net_force = 0.0;     ///< sum over particles of |F|
+    double net_force = 0.0;  ///< sum over particles of |F|
     StepMotion motion;
     StageTimes times;
 

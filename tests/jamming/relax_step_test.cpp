@@ -102,6 +102,38 @@ TEST(RelaxStep, EveryActiveParticleHasTheMetricOfItsStiffness) {
     EXPECT_GT(scratch.lists.refilters, 5);
 }
 
+TEST(RelaxStep, NobodyGoesFartherThanTwentyOverlapsOfThePressure) {
+    JamState state = pressed_spheres();
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    RelaxScratch scratch = begin(state, settings);
+    double fastest = 0.0;
+    for (int step = 0; step < 200; ++step) {
+        relax_step(state, settings, scratch);
+        for (const Motion& motion : state.particles.motions)
+            fastest = std::max(fastest, motion.velocity.norm());
+    }
+    const double smallest = scratch.lists.smallest_diameter;  // D = 1, but for the draw
+    EXPECT_NEAR(fastest * settings.time_step, 20.0 * 1e-4 * smallest * smallest, 1e-12);
+}
+
+/// Largest Cundall parameter of a relaxation to p = 1e-3 from the 500th to the 600th step.
+double cundall_with(double look_ahead) {
+    JamState state = pressed_spheres();
+    const RelaxSettings settings{
+        .material = {}, .pressure = Mat3::Identity() * 1e-3, .look_ahead = look_ahead};
+    RelaxScratch scratch = begin(state, settings);
+    double largest = 0.0;
+    for (int step = 0; step < 600; ++step) {
+        relax_step(state, settings, scratch);
+        if (step >= 500) largest = std::max(largest, scratch.cundall());
+    }
+    return largest;
+}
+
+TEST(RelaxStep, ForcesThatLookAheadBringItToRest) {
+    EXPECT_LT(cundall_with(0.6), 0.5 * cundall_with(0.0));
+}
+
 TEST(RelaxStep, OneThatMovesIsActiveThoughItTouchesNothing) {
     JamState state = pressed_spheres();
     state.cell = PeriodicCell(Mat3(4.0 * state.cell.matrix()));

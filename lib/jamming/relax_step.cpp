@@ -21,6 +21,10 @@ constexpr double remembered = 0.99;  // of the fastest motion, a step
 // Fast modes are damped by forces that look ahead. And whoever runs into others must not shake them
 // loose, so nobody goes faster than a few overlaps a step.
 constexpr double friction_in_roots_of_overlap = 0.5;
+/// Modes of a packing without contacts to spare are spread evenly down to the slowest, which is so
+/// many times slower than the fastest as there are contacts: less friction than it needs is of no
+/// use.
+constexpr double friction_per_contact = 3.0;
 constexpr double most_friction = 0.5;         // of a velocity in a step
 constexpr double fastest_in_overlaps = 20.0;  // in a step
 
@@ -67,14 +71,14 @@ struct Move {
 /// What is kept as a place is where the particle will be `look_ahead` later, x + look_ahead v, so
 /// that forces are felt before their time: a mode of frequency w loses w^2 look_ahead of its
 /// velocity, whichever way it goes (Nesterov, Doklady Akad. Nauk SSSR 269, 543, 1983).
-Move next_move(const RelaxSettings& settings, double smallest_diameter) {
+Move next_move(const RelaxSettings& settings, double smallest_diameter, Count contacts) {
     const double pressure = settings.pressure.trace() / 3.0;
     const double force = pressure * smallest_diameter * smallest_diameter;
     const double overlap = overlap_of_force(settings.material, force, smallest_diameter);
     const double friction =
-        std::min(most_friction, friction_in_roots_of_overlap *
-                                    std::sqrt(overlap / smallest_diameter) * settings.time_step);
-    return {.keep = 1.0 - friction,
+        std::max(friction_in_roots_of_overlap * std::sqrt(overlap / smallest_diameter),
+                 friction_per_contact / static_cast<double>(contacts + 1));
+    return {.keep = 1.0 - std::min(most_friction, friction * settings.time_step),
             .push = settings.time_step,
             .back = -settings.look_ahead,
             .forth = settings.time_step + settings.look_ahead,
@@ -268,7 +272,7 @@ void relax_step(JamState& state, const RelaxSettings& settings, RelaxScratch& sc
     const Mat3 cell_force = allowed_strain(
         state.cell.volume() * (state.pressure - settings.pressure), settings.free_cell);
     const Mat3 cell_push = allowed_strain(cell_force.cwiseQuotient(inertia), settings.free_cell);
-    const Move move = next_move(settings, scratch.lists.smallest_diameter);
+    const Move move = next_move(settings, scratch.lists.smallest_diameter, scratch.sums.contacts);
     const Mat3 strain = strain_of_step(state, settings, move, cell_push);
     const PeriodicCell halfway = strained_cell(state.cell, 0.5 * strain);
     state.cell = strained_cell(state.cell, strain);

@@ -65,8 +65,8 @@ struct LadderSettings {
     std::optional<double> compaction_pressure;
     Count compaction_steps = 6'000;
     double pressure_ratio = 1.1;  ///< of one rung's pressure to the next
-    double cundall = 3e-5;        ///< to which a rung is relaxed
-    Count most_steps = 20'000;    ///< of a rung
+    double cundall = 1e-4;        ///< to which a rung is relaxed
+    Count most_steps = 8'000;     ///< of a rung
 };
 
 struct ProtocolSettings {

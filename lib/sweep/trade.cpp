@@ -93,7 +93,7 @@ std::vector<TradeChoice> trade_choices(const Scene& scene) {
         choices.push_back(one_key("protocol.accuracy", accuracy));
     for (const char* ratio : {"1.2", "1.6", "3"})
         choices.push_back(one_key("protocol.pressure_ratio", ratio));
-    for (const char* cundall : {"1e-3", "3e-4", "1e-4"})
+    for (const char* cundall : {"1e-3", "3e-4", "3e-5"})
         choices.push_back(one_key("protocol.rung_cundall", cundall));
     add_tolerances(choices);
     const JamState start = start_state(scene);

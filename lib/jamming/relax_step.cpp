@@ -26,7 +26,9 @@ constexpr double friction_in_roots_of_overlap = 0.5;
 /// use.
 constexpr double friction_per_contact = 3.0;
 constexpr double most_friction = 0.5;         // of a velocity in a step
-constexpr double fastest_in_overlaps = 20.0;  // in a step
+constexpr double fastest_in_overlaps = 20.0;  // in a step, of the smallest spheres
+/// The same in mean overlaps, which are more where small spheres bear nothing.
+constexpr double fastest_in_mean_overlaps = 0.2;
 
 /// Share of its velocity that a particle keeps in a step while it touches nothing. It must hardly
 /// lose any: what slides along pushes rattlers before it, and all that they lose it has to give.
@@ -62,6 +64,13 @@ void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scra
     state.pressure = scratch.sums.virial / state.cell.volume();
 }
 
+/// Of the contacts that there are; zero without any.
+double mean_overlap(const RelaxScratch& scratch, const Material& material, double smallest) {
+    if (scratch.sums.contacts == 0) return 0.0;
+    const double force = scratch.sums.force_magnitudes / static_cast<double>(scratch.sums.contacts);
+    return overlap_of_force(material, force, smallest);
+}
+
 /// How velocities and places change in one step: v' = keep v + push M^-1 F, x' = x + back v +
 /// forth v'; and how far a particle may go.
 struct Move {
@@ -71,19 +80,22 @@ struct Move {
 /// What is kept as a place is where the particle will be `look_ahead` later, x + look_ahead v, so
 /// that forces are felt before their time: a mode of frequency w loses w^2 look_ahead of its
 /// velocity, whichever way it goes (Nesterov, Doklady Akad. Nauk SSSR 269, 543, 1983).
-Move next_move(const RelaxSettings& settings, double smallest_diameter, Count contacts) {
+Move next_move(const RelaxSettings& settings, const RelaxScratch& scratch) {
+    const double smallest_diameter = scratch.lists.smallest_diameter;
     const double pressure = settings.pressure.trace() / 3.0;
     const double force = pressure * smallest_diameter * smallest_diameter;
     const double overlap = overlap_of_force(settings.material, force, smallest_diameter);
     const double friction =
         std::max(friction_in_roots_of_overlap * std::sqrt(overlap / smallest_diameter),
-                 friction_per_contact / static_cast<double>(contacts + 1));
+                 friction_per_contact / static_cast<double>(scratch.sums.contacts + 1));
+    const double fastest = std::max(
+        fastest_in_overlaps * overlap,
+        fastest_in_mean_overlaps * mean_overlap(scratch, settings.material, smallest_diameter));
     return {.keep = 1.0 - std::min(most_friction, friction * settings.time_step),
             .push = settings.time_step,
             .back = -settings.look_ahead,
             .forth = settings.time_step + settings.look_ahead,
-            .farthest =
-                std::min(settings.largest_move * smallest_diameter, fastest_in_overlaps * overlap)};
+            .farthest = std::min(settings.largest_move * smallest_diameter, fastest)};
 }
 
 /// Moves on the cell's rate of strain and returns the strain of this step.
@@ -187,13 +199,6 @@ double move_particles(const ActiveParticles& active, const Mover& mover) {
     return std::sqrt(squared);
 }
 
-/// Of the contacts that there are; zero without any.
-double mean_overlap(const RelaxScratch& scratch, const Material& material, double smallest) {
-    if (scratch.sums.contacts == 0) return 0.0;
-    const double force = scratch.sums.force_magnitudes / static_cast<double>(scratch.sums.contacts);
-    return overlap_of_force(material, force, smallest);
-}
-
 void renew_metric(JamState& state, const RelaxSettings& settings, RelaxScratch& scratch) {
     const double smallest = scratch.lists.smallest_diameter;
     const double overlap = mean_overlap(scratch, settings.material, smallest);
@@ -272,7 +277,7 @@ void relax_step(JamState& state, const RelaxSettings& settings, RelaxScratch& sc
     const Mat3 cell_force = allowed_strain(
         state.cell.volume() * (state.pressure - settings.pressure), settings.free_cell);
     const Mat3 cell_push = allowed_strain(cell_force.cwiseQuotient(inertia), settings.free_cell);
-    const Move move = next_move(settings, scratch.lists.smallest_diameter, scratch.sums.contacts);
+    const Move move = next_move(settings, scratch);
     const Mat3 strain = strain_of_step(state, settings, move, cell_push);
     const PeriodicCell halfway = strained_cell(state.cell, 0.5 * strain);
     state.cell = strained_cell(state.cell, strain);

@@ -57,7 +57,7 @@ constexpr double longest_leap = 1e-3;  // in smallest diameters
 // The ladder is climbed again when contacts have been missing to isostaticity, whenever asked, for
 // this many times a rung's steps. Contacts flicker while an event passes, so one look proves
 // nothing; and while the network stands the last rung is where it comes to rest soonest.
-constexpr Count patience = 3;
+constexpr Count patience = 8;
 constexpr Count counts_in_a_rung = 4;
 constexpr double climb_in_pressure = 4.0;
 

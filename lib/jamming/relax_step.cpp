@@ -17,7 +17,7 @@ constexpr int steps_between_renewals = 50;
 constexpr double remembered = 0.99;  // of the fastest motion, a step
 
 // What slides far is driven by a small share of the pressure, and must not be held back: in the
-// metric's units slow modes turn over in 1 / sqrt(overlap) steps, and friction leaves them as long.
+// metric's units slow modes turn over in 1 / sqrt(overlap), and friction is as weak as suits them.
 // Fast modes are damped by forces that look ahead. And whoever runs into others must not shake them
 // loose, so nobody goes faster than a few overlaps a step.
 constexpr double friction_in_roots_of_overlap = 0.5;

@@ -45,7 +45,7 @@ bool touches_another(const JamState& state, std::size_t i) {
 
 TEST(RelaxStep, WhoeverIsNotActiveTouchesNothingAndStandsStill) {
     JamState state = pressed_spheres();
-    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-2};
     RelaxScratch scratch = begin(state, settings);
     std::size_t idle = 0;
     for (int step = 0; step < 3000; ++step) {
@@ -102,18 +102,24 @@ TEST(RelaxStep, EveryActiveParticleHasTheMetricOfItsStiffness) {
     EXPECT_GT(scratch.lists.refilters, 5);
 }
 
-TEST(RelaxStep, NobodyGoesFartherThanTwentyOverlapsOfThePressure) {
+TEST(RelaxStep, NobodyGoesFartherThanAFewOverlaps) {
     JamState state = pressed_spheres();
-    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    settings.largest_move = 1.0;
     RelaxScratch scratch = begin(state, settings);
-    double fastest = 0.0;
-    for (int step = 0; step < 200; ++step) {
+    bool at_the_bound = false;
+    for (int step = 0; step < 2000; ++step) {
+        const double mean =
+            scratch.sums.force_magnitudes / static_cast<double>(scratch.sums.contacts);
+        const double bound = std::max(0.2 * mean, 20.0 * 1e-4);  // stiffness 1, D = 1
         relax_step(state, settings, scratch);
-        for (const Motion& motion : state.particles.motions)
-            fastest = std::max(fastest, motion.velocity.norm());
+        for (const Motion& motion : state.particles.motions) {
+            const double farthest = settings.time_step * motion.velocity.norm();
+            ASSERT_LT(farthest, 1.01 * bound) << "step " << step;
+            at_the_bound |= farthest > 0.99 * bound;
+        }
     }
-    const double smallest = scratch.lists.smallest_diameter;  // D = 1, but for the draw
-    EXPECT_NEAR(fastest * settings.time_step, 20.0 * 1e-4 * smallest * smallest, 1e-12);
+    EXPECT_TRUE(at_the_bound) << "nothing was tested";
 }
 
 /// Largest Cundall parameter of a relaxation to p = 1e-3 from the 500th to the 600th step.

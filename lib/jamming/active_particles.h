@@ -63,16 +63,20 @@ void store_columns(const Columns4& columns, const Quad& quad, std::vector<Record
     store4(rows.w, records[quad.at[3]]);
 }
 
-// Both without a branch: who rests cannot be guessed.
+// All without a branch: who rests cannot be guessed.
 inline bool stands_still(const Particles& particles, std::size_t i) {
     constexpr unsigned velocity = 0b111;
     return (bits_of(load4(particles.motions[i]) != Double4{}) & velocity) == 0;
 }
 
+/// Whether a particle had contacts when the forces were last evaluated.
+inline bool touches_another(const Particles& particles, std::size_t i) {
+    return particles.loads[i].contacts != 0.0;
+}
+
 /// Whether a particle stands still and touches nothing.
 inline bool is_idle(const Particles& particles, std::size_t i) {
-    const bool touches = particles.loads[i].contacts != 0.0;
-    return !(touches | !stands_still(particles, i));
+    return !(touches_another(particles, i) | !stands_still(particles, i));
 }
 
 /// For new tiles, and velocities as they are. None is awake before find_awake.

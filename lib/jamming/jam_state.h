@@ -42,7 +42,7 @@ struct QuasistaticState {
     Count next_trial = 0;   ///< step from which the end of the last rung is tried again
     Count last_whole = 0;   ///< step at which the last rung was last seen without missing contacts
     int retreats = 0;       ///< times that the ladder was climbed again, in smaller steps
-    LeapReference leap;
+    LeapReference leap;     ///< empty wherever the run is at no saddle
 };
 
 struct JamState {

@@ -43,8 +43,8 @@ class QuasistaticRun {
 
     /// Lists and forces, for a new state or one from a checkpoint.
     void begin();
-    /// One step: of compaction, of relaxation, or a whole attempt of Newton's method (as many steps
-    /// as it took factorizations).
+    /// One step: of compaction or of relaxation, and where Newton's method reaches a minimum all of
+    /// it (as many steps as it took factorizations).
     void advance();
     /// Whether the state has just come to rest at the applied pressure, as far as forces and
     /// stress tell; the verdict decides.

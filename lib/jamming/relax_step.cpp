@@ -72,9 +72,9 @@ double mean_overlap(const RelaxScratch& scratch, const Material& material, doubl
 }
 
 /// How velocities and places change in one step: v' = keep v + push M^-1 F, x' = x + back v +
-/// forth v'; and how far a particle may go.
+/// forth v'; and how fast a particle may be.
 struct Move {
-    double keep, push, back, forth, farthest;
+    double keep, push, back, forth, top_speed;
 };
 
 /// What is kept as a place is where the particle will be `look_ahead` later, x + look_ahead v, so
@@ -88,14 +88,15 @@ Move next_move(const RelaxSettings& settings, const RelaxScratch& scratch) {
     const double friction =
         std::max(friction_in_roots_of_overlap * std::sqrt(overlap / smallest_diameter),
                  friction_per_contact / static_cast<double>(scratch.sums.contacts + 1));
-    const double fastest = std::max(
+    const double farthest = std::max(
         fastest_in_overlaps * overlap,
         fastest_in_mean_overlaps * mean_overlap(scratch, settings.material, smallest_diameter));
     return {.keep = 1.0 - std::min(most_friction, friction * settings.time_step),
             .push = settings.time_step,
             .back = -settings.look_ahead,
             .forth = settings.time_step + settings.look_ahead,
-            .farthest = std::min(settings.largest_move * smallest_diameter, fastest)};
+            .top_speed =
+                std::min(settings.largest_move * smallest_diameter, farthest) / settings.time_step};
 }
 
 /// Moves on the cell's rate of strain and returns the strain of this step.
@@ -117,7 +118,7 @@ class Mover {
         : particles_(state.particles),
           move_(move),
           to_fractional_(halfway.inverse()),
-          top_speed_(move.farthest / move.push),
+          top_speed_(move.top_speed),
           metric_(scratch.metric.particles) {}
 
     void expect(std::size_t i) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/saddle_leap.h"
 
+#include "jamming/active_particles.h"
+
 #include <algorithm>
 
 namespace jam {
@@ -13,10 +15,6 @@ constexpr double most_times = 50.0;
 Vec3 displacement_since(const LeapReference& reference, const Particles& particles, std::size_t i) {
     const Vec3 moved = particles.spheres[i].center - reference.centers[particles.ids[i]];
     return moved - moved.array().round().matrix();
-}
-
-bool touches(const Particles& particles, std::size_t i) {
-    return particles.loads[i].contacts != 0.0;
 }
 
 }  // namespace
@@ -32,14 +30,14 @@ double leap(const LeapReference& reference, const PeriodicCell& cell, double lon
             Particles& particles) {
     double farthest = 0.0;
     for (std::size_t i = 0; i < particles.spheres.size(); ++i) {
-        if (!touches(particles, i)) continue;
+        if (!touches_another(particles, i)) continue;
         const Vec3 moved = cell.cartesian(displacement_since(reference, particles, i));
         farthest = std::max(farthest, moved.norm());
     }
     if (farthest == 0.0) return 0.0;
     const double times = std::min(most_times, longest / farthest);
     for (std::size_t i = 0; i < particles.spheres.size(); ++i)
-        if (touches(particles, i))
+        if (touches_another(particles, i))
             particles.spheres[i].center += times * displacement_since(reference, particles, i);
     return times;
 }

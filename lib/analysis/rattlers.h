@@ -13,6 +13,8 @@ namespace jam {
 
 /// The paper's rule (Monti et al.): a particle held by fewer contacts is a rattler. Others use 4.
 inline constexpr int default_rattler_threshold = 3;
+/// Without friction three contacts hold a sphere only in their own plane.
+inline constexpr int contacts_that_hold = 4;
 
 /// What is left when the rattlers are gone is the backbone.
 struct Rattlers {

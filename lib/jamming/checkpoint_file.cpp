@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t format_version = 4;
+constexpr std::int64_t format_version = 5;
 
 fs::path previous(const fs::path& path) {
     fs::path kept = path;
@@ -138,7 +138,7 @@ void write_quasistatic(const hdf5::Group& group, const QuasistaticState& quasist
     const hdf5::Group to = group.create("quasistatic");
     to.write("stage", static_cast<std::int64_t>(quasistatic.stage));
     to.write("pressure", quasistatic.pressure);
-    to.write("rung_begin", std::int64_t{quasistatic.rung_begin});
+    to.write("foot_begin", std::int64_t{quasistatic.foot_begin});
     to.write("next_trial", std::int64_t{quasistatic.next_trial});
     to.write("last_whole", std::int64_t{quasistatic.last_whole});
     to.write("retreats", std::int64_t{quasistatic.retreats});
@@ -152,7 +152,7 @@ QuasistaticState read_quasistatic(const hdf5::Group& group, std::size_t count) {
     QuasistaticState quasistatic;
     quasistatic.stage = static_cast<QuasistaticState::Stage>(from.read<std::int64_t>("stage"));
     quasistatic.pressure = from.read<double>("pressure");
-    quasistatic.rung_begin = from.read<std::int64_t>("rung_begin");
+    quasistatic.foot_begin = from.read<std::int64_t>("foot_begin");
     quasistatic.next_trial = from.read<std::int64_t>("next_trial");
     quasistatic.last_whole = from.read<std::int64_t>("last_whole");
     quasistatic.retreats = static_cast<int>(from.read<std::int64_t>("retreats"));

@@ -26,8 +26,6 @@ double change_within_window(const JamState& state, const StopSettings& stop, Qua
 /// Negative curvature that counts as none, in applied pressures times the smallest diameter.
 constexpr double tolerated_instability = 1e-3;
 
-constexpr int contacts_that_hold = 4;
-
 /// Particles of a backbone beyond which a factorization takes minutes and gigabytes.
 constexpr Count largest_tested_backbone = 60'000;
 

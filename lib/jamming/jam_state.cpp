@@ -109,7 +109,7 @@ std::vector<double> diameters_by_id(const Particles& particles) {
 Packing to_packing(const JamState& state, const Scene& scene) {
     const Particles& particles = state.particles;
     const auto count = static_cast<std::size_t>(particles.size());
-    const bool relaxing = state.quasistatic.stage == QuasistaticState::Stage::ladder;
+    const bool relaxing = state.quasistatic.stage == QuasistaticState::Stage::relaxation;
     Packing packing;
     packing.cell = state.cell;
     packing.positions.resize(count);

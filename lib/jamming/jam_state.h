@@ -35,13 +35,13 @@ struct LeapReference {
 
 /// Where a quasi-static run stands (quasistatic.h).
 struct QuasistaticState {
-    enum class Stage : std::uint8_t { compaction, ladder };
+    enum class Stage : std::uint8_t { compaction, relaxation };
     Stage stage = Stage::compaction;
-    double pressure = 0.0;  ///< mean applied pressure of the rung; 0: the run has not begun
-    Count rung_begin = 0;   ///< step at which the rung began
-    Count next_trial = 0;   ///< step from which the end of the last rung is tried again
-    Count last_whole = 0;   ///< step at which the last rung was last seen without missing contacts
-    int retreats = 0;       ///< times that the ladder was climbed again, in smaller steps
+    double pressure = 0.0;  ///< mean pressure applied just now; 0: the run has not begun
+    Count foot_begin = 0;   ///< step at which the descent ended
+    Count next_trial = 0;   ///< step from which Newton's method is tried again
+    Count last_whole = 0;   ///< step of the last count at the foot without missing contacts
+    int retreats = 0;       ///< times that the descent was begun again, slower
     LeapReference leap;     ///< empty wherever the run is at no saddle
 };
 

@@ -28,8 +28,9 @@ constexpr double too_compact = 10.0;
 constexpr double reference_overlap = 1e-3;  // in smallest diameters
 constexpr double reference_width = 5.0;     // mean diameter by volume, in smallest ones
 constexpr Count steps_between_looks = 10;
-constexpr Count fewest_steps_of_a_rung = 20;
-constexpr double pressure_error_of_a_rung = 1e-3;
+
+/// Of its fastest, however far from balance forces are: every descent ends.
+constexpr double slowest_descent = 0.01;
 
 // When Newton's method is worth a trial, and how long to relax at least before the next: what has
 // failed is tried ever more rarely, and takes a tenth of the time at most. It leaves no trace.
@@ -43,9 +44,9 @@ constexpr double operations_of_a_step = 600.0;  // in a factorization's time, a 
 constexpr double most_operations_of_a_factorization = 3e5;  // a particle
 
 // How often to ask whether the relaxation has come to rest by itself: the answer takes a
-// factorization, so it is asked for half as often each time that a long rung doubles its length.
+// factorization, so it is asked for half as often each time that a long wait doubles its length.
 constexpr Count steps_between_verdicts = 2'000;
-constexpr Count steps_of_a_long_rung = 100'000;
+constexpr Count steps_of_a_long_wait = 100'000;
 
 // At a saddle C is small, and grows. Leaps are long enough to leave it: with a tenth of the length
 // a run swings about it. One look after a verdict, so that what is judged is what came to rest.
@@ -54,11 +55,11 @@ constexpr double cundall_at_a_saddle = 3.0;  // in the tolerated one
 constexpr double growth_at_a_saddle = 1.02;
 constexpr double longest_leap = 1e-3;  // in smallest diameters
 
-// The ladder is climbed again when contacts have been missing to isostaticity, whenever asked, for
-// this many times a rung's steps. Contacts flicker while an event passes, so one look proves
-// nothing; and while the network stands the last rung is where it comes to rest soonest.
-constexpr Count patience = 8;
-constexpr Count counts_in_a_rung = 4;
+// The pressure is raised to descend anew when contacts have been missing to isostaticity, whenever
+// asked, for so many steps. Contacts flicker while an event passes, so one look proves nothing; and
+// while the network stands the foot is where it comes to rest soonest.
+constexpr Count patience = 64'000;
+constexpr Count steps_between_counts = 2'000;
 constexpr double climb_in_pressure = 4.0;
 
 /// The automatic one of the settings, made longer.
@@ -72,8 +73,8 @@ double compaction_time_step(const QuasistaticSettings& settings,
                     longest_step_of_the_cell / cell_rate);
 }
 
-Count verdict_interval(Count steps_on_rung) {
-    const Count lengths = std::max<Count>(1, steps_on_rung / steps_of_a_long_rung);
+Count verdict_interval(Count steps_at_foot) {
+    const Count lengths = std::max<Count>(1, steps_at_foot / steps_of_a_long_wait);
     return steps_between_verdicts *
            static_cast<Count>(std::bit_floor(static_cast<std::uint64_t>(lengths)));
 }
@@ -109,12 +110,12 @@ double automatic_compaction_pressure(const Material& material, std::span<const d
 QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& state) {
     const ProtocolSettings& protocol = scene.protocol;
     QuasistaticSettings settings;
-    settings.ladder = protocol.ladder;
+    settings.descent = protocol.descent;
     settings.stop = scene.stop;
     settings.applied_pressure = protocol.pressure.trace() / 3.0;
     const std::vector<double> diameters = diameters_by_id(state.particles);
     const double automatic = automatic_compaction_pressure(scene.contact, diameters);
-    settings.first_pressure = std::max(protocol.ladder.compaction_pressure.value_or(automatic),
+    settings.first_pressure = std::max(protocol.descent.compaction_pressure.value_or(automatic),
                                        settings.applied_pressure);
     settings.climbed_pressure = std::min(std::max(automatic, settings.first_pressure),
                                          climb_in_pressure * settings.applied_pressure);
@@ -155,11 +156,11 @@ bool QuasistaticRun::compacting() const {
     return state_.quasistatic.stage == QuasistaticState::Stage::compaction;
 }
 
-bool QuasistaticRun::on_last_rung() const {
+bool QuasistaticRun::at_foot() const {
     return state_.quasistatic.pressure <= settings_.applied_pressure;
 }
 
-Mat3 QuasistaticRun::rung_pressure() const {
+Mat3 QuasistaticRun::pressure_now() const {
     return protocol_.pressure * (state_.quasistatic.pressure / settings_.applied_pressure);
 }
 
@@ -184,10 +185,10 @@ void QuasistaticRun::begin() {
         compaction_.emplace(diameters_, lists_);
         begin_nph(state_, settings_.compaction, *compaction_);
         const double pressure = state_.pressure.trace() / 3.0;
-        if (state_.step == 0 && pressure > too_compact * settings_.first_pressure) begin_ladder();
+        if (state_.step == 0 && pressure > too_compact * settings_.first_pressure) begin_descent();
     } else {
         relaxation_.emplace(diameters_, lists_);
-        settings_.relax.pressure = rung_pressure();
+        settings_.relax.pressure = pressure_now();
         begin_relaxation(state_, settings_.relax, *relaxation_);
     }
 }
@@ -198,58 +199,49 @@ void QuasistaticRun::advance() {
         relax();
         return;
     }
-    if (state_.step < settings_.ladder.compaction_steps)
+    if (state_.step < settings_.descent.compaction_steps)
         nph_step(state_, settings_.compaction, *compaction_);
-    if (state_.step >= settings_.ladder.compaction_steps) begin_ladder();
+    if (state_.step >= settings_.descent.compaction_steps) begin_descent();
 }
 
-void QuasistaticRun::begin_ladder() {
+void QuasistaticRun::begin_descent() {
     for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
     state_.velocity_gradient.setZero();
     state_.list_reference = {};
-    state_.quasistatic.stage = QuasistaticState::Stage::ladder;
+    state_.quasistatic.stage = QuasistaticState::Stage::relaxation;
     relaxation_.emplace(diameters_, lists_);
-    begin_rung(state_.quasistatic.pressure);
+    apply(state_.quasistatic.pressure);
     begin_relaxation(state_, settings_.relax, *relaxation_);
 }
 
-void QuasistaticRun::begin_rung(double pressure) {
-    state_.quasistatic.pressure = pressure;
-    state_.quasistatic.rung_begin = state_.step;
+void QuasistaticRun::apply(double pressure) {
+    state_.quasistatic.pressure = std::max(pressure, settings_.applied_pressure);
+    state_.quasistatic.foot_begin = state_.step;
     state_.quasistatic.next_trial = state_.step;
     state_.quasistatic.last_whole = state_.step;
     state_.quasistatic.leap = {};
-    settings_.relax.pressure = rung_pressure();
+    settings_.relax.pressure = pressure_now();
 }
 
 void QuasistaticRun::relax() {
     relax_step(state_, settings_.relax, *relaxation_);
-    const Count steps = state_.step - state_.quasistatic.rung_begin;
-    if (steps < fewest_steps_of_a_rung || steps % steps_between_looks != 0) return;
-    if (on_last_rung()) {
+    if (!at_foot())
+        descend();
+    else if ((state_.step - state_.quasistatic.foot_begin) % steps_between_looks == 0)
         finish();
-        return;
-    }
-    const bool relaxed = relaxation_->cundall() <= settings_.ladder.cundall &&
-                         error_of_pressure() <= pressure_error_of_a_rung;
-    if (relaxed || steps >= settings_.ladder.most_steps) end_rung();
 }
 
-/// Each time the ladder is climbed again its rungs are half as far apart.
-void QuasistaticRun::end_rung() {
-    const double ratio =
-        std::pow(settings_.ladder.pressure_ratio, std::pow(0.5, state_.quasistatic.retreats));
-    begin_rung(std::max(settings_.applied_pressure, state_.quasistatic.pressure / ratio));
-}
-
-double QuasistaticRun::error_of_pressure() const {
-    ProtocolSettings rung = protocol_;
-    rung.pressure = settings_.relax.pressure;
-    return pressure_error(state_.pressure, rung);
+/// What is out of balance slows the fall, and at its limit stops it. Each time that the descent is
+/// begun anew it is half as fast.
+void QuasistaticRun::descend() {
+    const double balance = 1.0 - relaxation_->cundall() / settings_.descent.cundall;
+    const double share = balance > slowest_descent ? balance : slowest_descent;  // without contacts
+    const double rate = settings_.descent.rate * std::pow(0.5, state_.quasistatic.retreats);
+    apply(state_.quasistatic.pressure * std::exp(-rate * share));
 }
 
 void QuasistaticRun::finish() {
-    const Count steps = state_.step - state_.quasistatic.rung_begin;
+    const Count steps = state_.step - state_.quasistatic.foot_begin;
     const double cundall = relaxation_->cundall();
     const bool near = cundall <= cundall_for_newton ||
                       (steps >= steps_to_a_late_trial && cundall <= cundall_for_a_late_trial);
@@ -257,11 +249,9 @@ void QuasistaticRun::finish() {
                             state_.step >= state_.quasistatic.next_trial && try_newton();
     if (at_minimum || steps % verdict_interval(steps) == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
-                   error_of_pressure() <= settings_.stop.pressure;
+                   pressure_error(state_.pressure, protocol_) <= settings_.stop.pressure;
     if (steps % steps_between_leaps == steps_between_looks) leap_from_saddle();
-    const Count between_counts =
-        std::max(settings_.ladder.most_steps / counts_in_a_rung, steps_between_verdicts);
-    if (steps % between_counts < steps_between_looks) count_missing_contacts();
+    if (steps % steps_between_counts == 0) count_missing_contacts();
 }
 
 void QuasistaticRun::leap_from_saddle() {
@@ -283,14 +273,14 @@ void QuasistaticRun::leap_from_saddle() {
 void QuasistaticRun::count_missing_contacts() {
     if (excess_contact_count_of_held(to_packing(state_, scene_)) >= 0)
         state_.quasistatic.last_whole = state_.step;
-    else if (state_.step - state_.quasistatic.last_whole >= patience * settings_.ladder.most_steps)
+    else if (state_.step - state_.quasistatic.last_whole >= patience)
         climb();
 }
 
 void QuasistaticRun::climb() {
     if (settings_.climbed_pressure <= settings_.applied_pressure) return;
     ++state_.quasistatic.retreats;
-    begin_rung(settings_.climbed_pressure);
+    apply(settings_.climbed_pressure);
 }
 
 bool QuasistaticRun::try_newton() {
@@ -301,9 +291,9 @@ bool QuasistaticRun::try_newton() {
         result = newton_relax(settings_.newton, scratch.lists.candidates,
                               scratch.lists.smallest_diameter, state_.cell, state_.particles);
     }
-    const Count steps_on_rung = state_.step - state_.quasistatic.rung_begin;
+    const Count steps_at_foot = state_.step - state_.quasistatic.foot_begin;
     const Count pause = result.tried
-                            ? std::max({steps_between_trials, steps_on_rung,
+                            ? std::max({steps_between_trials, steps_at_foot,
                                         steps_between_trials_in_their_cost *
                                             cost_in_steps(result, scratch.active.awake_count())})
                             : never;

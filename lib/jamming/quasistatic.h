@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The quasi-static protocol: compaction by inertia at a pressure high enough to be quick, then
-// relaxation of the enthalpy down a ladder of pressures, to a minimum at the applied one.
+// relaxation of the enthalpy under a pressure that descends, to a minimum at the applied one.
 //
-// The jammed state does not remember inertia, so none is needed to find it. A rung that keeps its
-// network is cheap to relax from the one above; one that loses it is not, so rungs are close and
-// each is brought to rest. At the foot Newton's method ends what the relaxation has begun.
+// The jammed state does not remember inertia, so none is needed to find it. What is near balance
+// follows a falling pressure and keeps its network; what loses it is slow to find another. So the
+// pressure falls the faster the nearer to balance forces are, and waits where they are not. At the
+// foot Newton's method ends what the relaxation has begun.
 #pragma once
 
 #include "jamming/newton_relaxation.h"
@@ -19,20 +20,20 @@ struct QuasistaticSettings {
     NphSettings compaction;  ///< masses by diameter, whatever the scene's
     RelaxSettings relax;     ///< at the applied pressure
     NewtonSettings newton;
-    LadderSettings ladder;
+    DescentSettings descent;
     StopSettings stop;
-    double first_pressure = 0.0;    ///< mean pressure of the first rung
-    double climbed_pressure = 0.0;  ///< from where the ladder is gone down again
-    double applied_pressure = 0.0;  ///< mean pressure of the last
+    double first_pressure = 0.0;    ///< mean pressure from which the descent begins
+    double climbed_pressure = 0.0;  ///< from where it begins anew
+    double applied_pressure = 0.0;  ///< mean pressure at its foot
     bool newton_serves = false;     ///< isotropic pressure, cell free in all components
 };
 
-/// Where the ladder begins unless a scene says so: at the pressure that overlaps equal spheres by
+/// Where the descent begins unless a scene says so: at the pressure that overlaps equal spheres by
 /// 1e-3 of the smallest diameter, or less where sizes are wide, so that small spheres between large
 /// ones are not squeezed flat: at 5 D_min / D_V of it, D_V the mean diameter by volume.
 double automatic_compaction_pressure(const Material& material, std::span<const double> diameters);
 
-/// The ladder never begins below the applied pressure.
+/// The descent never begins below the applied pressure.
 QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& state);
 
 /// A run by this protocol, one step at a time. All that decides how it goes on is in the state.
@@ -57,19 +58,19 @@ class QuasistaticRun {
 
   private:
     bool compacting() const;
-    bool on_last_rung() const;
-    void begin_ladder();
-    void begin_rung(double pressure);
-    void end_rung();
+    bool at_foot() const;
+    void begin_descent();
+    /// Mean pressure; the applied one if it is less.
+    void apply(double pressure);
     void relax();
+    void descend();
     void finish();
     void leap_from_saddle();
     void count_missing_contacts();
     void climb();
     /// Whether it came to a minimum; says in the state when to try again.
     bool try_newton();
-    double error_of_pressure() const;
-    Mat3 rung_pressure() const;
+    Mat3 pressure_now() const;
 
     const Scene& scene_;
     JamState& state_;

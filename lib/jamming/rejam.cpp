@@ -50,8 +50,8 @@ Packing without_rattlers(const Packing& packing) {
 }
 
 void begin_at_applied_pressure(Scene& scene) {
-    scene.protocol.ladder.compaction_pressure = scene.protocol.pressure.trace() / 3.0;
-    scene.protocol.ladder.compaction_steps = 0;
+    scene.protocol.descent.compaction_pressure = scene.protocol.pressure.trace() / 3.0;
+    scene.protocol.descent.compaction_steps = 0;
 }
 
 }  // namespace jam

@@ -26,8 +26,8 @@ Scene scene_from_packing(const std::filesystem::path& path,
 /// left); everything else stands, ids included. Throws InputError if all are rattlers.
 Packing without_rattlers(const Packing& packing);
 
-/// Lets the quasi-static ladder begin at its foot: what is jammed at the scene's pressure converges
-/// again where it stands.
+/// Lets the quasi-static descent begin at its foot: what is jammed at the scene's pressure
+/// converges again where it stands.
 void begin_at_applied_pressure(Scene& scene);
 
 }  // namespace jam

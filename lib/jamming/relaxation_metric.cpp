@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/relaxation_metric.h"
 
+#include "analysis/rattlers.h"
 #include "contacts/elastic_laws.h"
 #include "core/lanes.h"
 #include "core/parallel.h"
@@ -18,7 +19,6 @@ constexpr double gap_in_mean_overlaps = 3.0;
 constexpr double stiffness_factor = 3.0;
 constexpr double held_floor = 0.01;
 constexpr double loose_floor = 3.0;
-constexpr double contacts_that_hold = 4.0;
 
 void mix(double kept, const SymmetricBlock& now, SymmetricBlock& mean) {
     const auto into = [kept](double value, double& of) { of = kept * of + (1.0 - kept) * value; };

@@ -5,17 +5,16 @@ namespace jam {
 
 void take_defaults_of_accuracy(Scene& scene) {
     const Scene standard;
-    LadderSettings& ladder = scene.protocol.ladder;
-    ladder = standard.protocol.ladder;
+    DescentSettings& descent = scene.protocol.descent;
+    descent = standard.protocol.descent;
     scene.stop.pressure = standard.stop.pressure;
     scene.stop.cundall = standard.stop.cundall;
     scene.stop.stability = standard.stop.stability;
     switch (scene.protocol.accuracy) {
         case Accuracy::fast:
-            ladder.compaction_steps = 3'000;
-            ladder.pressure_ratio = 1.5;
-            ladder.cundall = 1e-2;
-            ladder.most_steps = 5'000;
+            descent.compaction_steps = 3'000;
+            descent.rate = 1e-3;
+            descent.cundall = 1e-2;
             scene.stop.pressure = 1e-2;
             scene.stop.cundall = 1e-2;
             scene.stop.stability = false;
@@ -23,9 +22,8 @@ void take_defaults_of_accuracy(Scene& scene) {
         case Accuracy::standard:
             break;
         case Accuracy::paper:
-            ladder.pressure_ratio = 1.05;
-            ladder.cundall = 1e-5;
-            ladder.most_steps = 40'000;
+            descent.rate = 3e-5;
+            descent.cundall = 3e-4;
             break;
     }
 }

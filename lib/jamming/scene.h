@@ -56,17 +56,16 @@ enum class Masses : std::uint8_t {
 enum class Accuracy : std::uint8_t {
     fast,      ///< phi and the rattlers; not isostatic at low pressure
     standard,  ///< a stable, isostatic packing
-    paper,     ///< the same, after a longer and closer ladder
+    paper,     ///< the same, after a slower descent
 };
 
 /// Of the quasi-static protocol: what may be traded against accuracy.
-struct LadderSettings {
-    /// Where the ladder begins; nothing: chosen from law and sizes (quasistatic.h).
+struct DescentSettings {
+    /// From where the pressure descends; nothing: chosen from law and sizes (quasistatic.h).
     std::optional<double> compaction_pressure;
     Count compaction_steps = 6'000;
-    double pressure_ratio = 1.1;  ///< of one rung's pressure to the next
-    double cundall = 1e-4;        ///< to which a rung is relaxed
-    Count most_steps = 8'000;     ///< of a rung
+    double rate = 1e-4;     ///< of the fastest fall of the pressure, of itself a step
+    double cundall = 1e-3;  ///< at which the pressure waits
 };
 
 struct ProtocolSettings {
@@ -80,7 +79,7 @@ struct ProtocolSettings {
     Masses masses = Masses::true_mass;
     double cell_inertia = 1.0;  ///< factor on the inertia chosen from N, k and D
     double cell_damping = 1.0;  ///< factor on the damping chosen with it
-    LadderSettings ladder;
+    DescentSettings descent;
 };
 
 /// When a run is converged (all of the tolerances hold at once), and when it stops without being
@@ -115,7 +114,7 @@ struct Scene {
     RunSettings run;
 };
 
-/// Sets the ladder and the criteria of rest to what belongs to scene.protocol.accuracy.
+/// Sets the descent and the criteria of rest to what belongs to scene.protocol.accuracy.
 void take_defaults_of_accuracy(Scene& scene);
 
 /// Number of particles that the settings ask for. Throws InputError as particle_count.

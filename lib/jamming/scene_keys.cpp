@@ -148,23 +148,23 @@ static std::vector<SceneKey> protocol_keys() {
     };
 }
 
-static std::vector<SceneKey> ladder_keys() {
+static std::vector<SceneKey> descent_keys() {
     const auto in = [](const auto& rule, auto member) {
-        return bound(rule, &SceneDraft::scene, &Scene::protocol, &ProtocolSettings::ladder, member);
+        return bound(rule, &SceneDraft::scene, &Scene::protocol, &ProtocolSettings::descent,
+                     member);
     };
-    using Ladder = LadderSettings;
+    using Descent = DescentSettings;
     return {
         {"protocol.compaction_pressure", "k/D_min; hertz: k",
-         "quasistatic: where the ladder of pressures begins",
-         in(RealOrAutomatic{above(0)}, &Ladder::compaction_pressure)},
+         "quasistatic: from where the pressure descends",
+         in(RealOrAutomatic{above(0)}, &Descent::compaction_pressure)},
         {"protocol.compaction_steps", "steps", "quasistatic: of compaction, by inertia",
-         in(Whole{0}, &Ladder::compaction_steps)},
-        {"protocol.pressure_ratio", "", "quasistatic: from one rung of the ladder to the next",
-         in(above(1, 1e3), &Ladder::pressure_ratio)},
-        {"protocol.rung_cundall", "", "quasistatic: Cundall parameter to which a rung is relaxed",
-         in(above(0, 1), &Ladder::cundall)},
-        {"protocol.rung_steps", "steps", "quasistatic: limit of a rung above the applied pressure",
-         in(Whole{1}, &Ladder::most_steps)},
+         in(Whole{0}, &Descent::compaction_steps)},
+        {"protocol.descent_rate", "", "quasistatic: fastest fall of the pressure, of itself a step",
+         in(above(0, 1), &Descent::rate)},
+        {"protocol.descent_cundall", "",
+         "quasistatic: Cundall parameter at which the pressure waits",
+         in(above(0, 1), &Descent::cundall)},
     };
 }
 
@@ -238,7 +238,7 @@ static bool differs_by_accuracy(const SceneKey& key) {
 static std::vector<SceneKey> all_keys() {
     std::vector<SceneKey> keys;
     for (auto table :
-         {sizes_keys, contact_keys, start_keys, protocol_keys, ladder_keys, stop_keys, run_keys})
+         {sizes_keys, contact_keys, start_keys, protocol_keys, descent_keys, stop_keys, run_keys})
         std::ranges::move(table(), std::back_inserter(keys));
     for (SceneKey& one : keys) {
         if (one.example.index() == 0) one.example = *one.field.get(SceneDraft{});

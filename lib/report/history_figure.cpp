@@ -17,13 +17,13 @@ std::span<const double> values_of(const Table& table, std::string_view name) {
     return std::ranges::find(table.columns, name, &Column::name)->values;
 }
 
-/// The step from which on simulated time stands still: where a quasi-static run's ladder of
-/// pressures begins. Not a number for a run that moves to its end.
-double first_step_of_ladder(const Table& history) {
+/// The step from which on simulated time stands still: where a quasi-static run begins to
+/// relax. Not a number for a run that moves to its end.
+double first_step_of_relaxation(const Table& history) {
     const std::span<const double> times = values_of(history, "time");
     const auto still = std::ranges::find(times, times.back()) - times.begin();
-    const bool ladder = still + 1 < std::ssize(times);
-    return ladder ? values_of(history, "step")[static_cast<std::size_t>(still)] : std::nan("");
+    const bool relaxes = still + 1 < std::ssize(times);
+    return relaxes ? values_of(history, "step")[static_cast<std::size_t>(still)] : std::nan("");
 }
 
 /// Script lines with the lowest and the highest pressure to be drawn.
@@ -38,14 +38,14 @@ std::string pressure_range(const Table& history, double applied_pressure) {
     return script_value("lowest_pressure", low) + script_value("highest_pressure", high);
 }
 
-std::string caption(bool ladder) {
+std::string caption(bool relaxes) {
     std::string text =
         "Volume fraction, contacts, pressure and what is out of balance, against the steps; a step "
         "evaluates the forces once. ";
-    if (ladder)
+    if (relaxes)
         text +=
-            "Left of the broken line the packing is compacted by inertia, right of it relaxed to "
-            "rest under one pressure after the other, down to the applied one. ";
+            "Left of the broken line the packing is compacted by inertia, right of it relaxed "
+            "under a pressure that descends to the applied one. ";
     return text +
            "In a jammed packing all curves have stopped, the backbone has as many contacts as "
            "rigidity takes, and C and the error of the pressure have come down.";
@@ -54,12 +54,12 @@ std::string caption(bool ladder) {
 }  // namespace
 
 Figure history_figure(const Table& history, double applied_pressure) {
-    const double ladder = first_step_of_ladder(history);
+    const double relaxation = first_step_of_relaxation(history);
     return {"history",
             "The run",
-            caption(!std::isnan(ladder)),
-            script_value("applied_pressure", applied_pressure) + script_value("ladder", ladder) +
-                pressure_range(history, applied_pressure) +
+            caption(!std::isnan(relaxation)),
+            script_value("applied_pressure", applied_pressure) +
+                script_value("relaxation", relaxation) + pressure_range(history, applied_pressure) +
                 script_value("last_all", values_of(history, "coordination").back()) +
                 script_value("last_backbone", values_of(history, "coordination_nr").back()) +
                 R"gnuplot(
@@ -73,8 +73,8 @@ applied(x) = applied_pressure > 0 ? applied_pressure : NaN
 do for [format in "svg png"] {
     eval(canvas("history", format, 640, 860))
     set multiplot layout 4,1 margins 0.175,0.97,0.08,0.985 spacing 0.03
-    if (ladder == ladder) {
-        set arrow 1 from ladder/unit, graph 0 to ladder/unit, graph 1 nohead linecolor rgb quiet linewidth 0.8 dashtype 2
+    if (relaxation == relaxation) {
+        set arrow 1 from relaxation/unit, graph 0 to relaxation/unit, graph 1 nohead linecolor rgb quiet linewidth 0.8 dashtype 2
     }
     set xrange [0:step_max > 0 ? step_max/unit : 1]
     set format x ""; unset xlabel

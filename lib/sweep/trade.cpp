@@ -91,10 +91,10 @@ std::vector<TradeChoice> trade_choices(const Scene& scene) {
     std::vector<TradeChoice> choices;
     for (const char* accuracy : {"paper", "standard", "fast"})
         choices.push_back(one_key("protocol.accuracy", accuracy));
-    for (const char* ratio : {"1.2", "1.6", "3"})
-        choices.push_back(one_key("protocol.pressure_ratio", ratio));
-    for (const char* cundall : {"1e-3", "3e-4", "3e-5"})
-        choices.push_back(one_key("protocol.rung_cundall", cundall));
+    for (const char* rate : {"1e-3", "3e-4", "3e-5"})
+        choices.push_back(one_key("protocol.descent_rate", rate));
+    for (const char* cundall : {"1e-2", "3e-3", "3e-4"})
+        choices.push_back(one_key("protocol.descent_cundall", cundall));
     add_tolerances(choices);
     const JamState start = start_state(scene);
     add_compactions(scene, start, choices);

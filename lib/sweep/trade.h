@@ -15,11 +15,11 @@ namespace jam {
 
 /// One way to run a scene.
 struct TradeChoice {
-    std::string name;                    ///< such as "rung_cundall=1e-3": of folders, too
+    std::string name;                    ///< such as "descent_rate=1e-3": of folders, too
     std::vector<std::string> overrides;  ///< "table.key=value"
 };
 
-/// The choices for a scene: accuracy, rungs, compaction, tolerance of convergence, pressure, and
+/// The choices for a scene: accuracy, descent, compaction, tolerance of convergence, pressure, and
 /// inertia (protocol nph) with its masses and time step. The first, protocol.accuracy = "paper", is
 /// what the others are measured against.
 std::vector<TradeChoice> trade_choices(const Scene& scene);

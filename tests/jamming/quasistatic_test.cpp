@@ -24,7 +24,7 @@ Scene small_scene(Count count) {
     scene.sizes.distribution = law;
     scene.sizes.count = count;
     scene.protocol.pressure = Mat3::Identity() * 1e-4;
-    scene.protocol.ladder.compaction_steps = 2000;
+    scene.protocol.descent.compaction_steps = 2000;
     scene.stop.max_steps = 400'000;
     scene.run.record_interval = 1000;
     scene.run.threads = 1;
@@ -62,7 +62,7 @@ TEST(Quasistatic, FastEndsSoonerWithoutAWordOnStability) {
 TEST(Quasistatic, SameBitsForAnyThreadCount) {
     const auto bits_with = [](int threads) {
         Scene scene = small_scene(3000);
-        scene.protocol.ladder.compaction_steps = 800;
+        scene.protocol.descent.compaction_steps = 800;
         scene.stop.max_steps = 1000;
         scene.run.threads = threads;
         JamState state = start_state(scene);
@@ -77,7 +77,7 @@ TEST(Quasistatic, GoesOnWithTheSameBitsWhereverItWasStopped) {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "widejam_quasistatic_resume.h5";
     Scene scene = small_scene(250);
-    scene.protocol.ladder.compaction_steps = 500;
+    scene.protocol.descent.compaction_steps = 500;
     scene.stop.max_steps = 2500;
     JamState whole = start_state(scene);
     jam_packing(scene, whole);
@@ -100,7 +100,7 @@ Scene creeping_scene() {
     scene.protocol.free_cell = FreeCell::orthogonal;  // where Newton's method does not serve
     scene.stop.cundall = 1e-3;
     scene.stop.pressure = 1e-15;
-    scene.stop.max_steps = 35'000;
+    scene.stop.max_steps = 60'000;
     return scene;
 }
 

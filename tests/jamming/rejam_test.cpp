@@ -45,8 +45,8 @@ TEST(Rejam, TheLadderBeginsAtItsFoot) {
     Scene scene;
     scene.protocol.pressure = 3e-5 * Mat3::Identity();
     begin_at_applied_pressure(scene);
-    EXPECT_EQ(scene.protocol.ladder.compaction_steps, 0);
-    EXPECT_DOUBLE_EQ(*scene.protocol.ladder.compaction_pressure, 3e-5);
+    EXPECT_EQ(scene.protocol.descent.compaction_steps, 0);
+    EXPECT_DOUBLE_EQ(*scene.protocol.descent.compaction_pressure, 3e-5);
 }
 
 }  // namespace

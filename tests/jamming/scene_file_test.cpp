@@ -163,9 +163,8 @@ const std::map<std::string, KeyCase>& cases() {
         {"protocol.compaction_pressure",
          {protocol, {"1e-3", "\"automatic\""}, {"0", "-1e-3", "nan", "\"high\""}}},
         {"protocol.compaction_steps", {protocol, {"0", "6000"}, {"-1", "0.5", "\"some\""}}},
-        {"protocol.pressure_ratio", {protocol, {"1.1", "2"}, {"1", "0.5", "nan", "1e4"}}},
-        {"protocol.rung_cundall", {protocol, {"1e-5", "1"}, no_positive_number}},
-        {"protocol.rung_steps", {protocol, {"1", "40000"}, {"0", "-1", "1.5"}}},
+        {"protocol.descent_rate", {protocol, {"1e-5", "1"}, no_positive_number}},
+        {"protocol.descent_cundall", {protocol, {"1e-5", "1"}, no_positive_number}},
         {"stop.pressure", {stop, {"1e-4", "1"}, no_positive_number}},
         {"stop.cundall", {stop, {"1e-6", "1e-12"}, no_positive_number}},
         {"stop.stability", {stop, {"true", "false"}, {"1", "\"yes\"", "0.5"}}},
@@ -204,14 +203,14 @@ TEST_F(SceneFileTest, AccuracyGivesDefaultsThatOtherKeysOverruleInAnyOrder) {
         return parse_scene(sizes + "[protocol]\n" + lines, "scene.toml");
     };
     const Scene standard = scene("");
-    const Scene fast = scene("rung_cundall = 2e-4\naccuracy = \"fast\"\n");
-    EXPECT_GT(fast.protocol.ladder.pressure_ratio, standard.protocol.ladder.pressure_ratio);
-    EXPECT_EQ(fast.protocol.ladder.cundall, 2e-4);
+    const Scene fast = scene("descent_cundall = 2e-4\naccuracy = \"fast\"\n");
+    EXPECT_GT(fast.protocol.descent.rate, standard.protocol.descent.rate);
+    EXPECT_EQ(fast.protocol.descent.cundall, 2e-4);
     EXPECT_GT(fast.stop.cundall, standard.stop.cundall);
     EXPECT_FALSE(fast.stop.stability);
     EXPECT_TRUE(standard.stop.stability);
-    EXPECT_LT(scene("accuracy = \"paper\"\n").protocol.ladder.cundall,
-              standard.protocol.ladder.cundall);
+    EXPECT_LT(scene("accuracy = \"paper\"\n").protocol.descent.rate,
+              standard.protocol.descent.rate);
     const Scene again = parse_scene(scene_text(fast), "scene.toml");
     EXPECT_EQ(scene_text(again), scene_text(fast));
 }

@@ -140,6 +140,7 @@ void write_quasistatic(const hdf5::Group& group, const QuasistaticState& quasist
     to.write("pressure", quasistatic.pressure);
     to.write("foot_begin", std::int64_t{quasistatic.foot_begin});
     to.write("next_trial", std::int64_t{quasistatic.next_trial});
+    to.write("trial_cundall", quasistatic.trial_cundall);
     to.write("last_whole", std::int64_t{quasistatic.last_whole});
     to.write("retreats", std::int64_t{quasistatic.retreats});
     const hdf5::Group leap = to.create("leap");
@@ -154,6 +155,7 @@ QuasistaticState read_quasistatic(const hdf5::Group& group, std::size_t count) {
     quasistatic.pressure = from.read<double>("pressure");
     quasistatic.foot_begin = from.read<std::int64_t>("foot_begin");
     quasistatic.next_trial = from.read<std::int64_t>("next_trial");
+    quasistatic.trial_cundall = from.read<double>("trial_cundall");
     quasistatic.last_whole = from.read<std::int64_t>("last_whole");
     quasistatic.retreats = static_cast<int>(from.read<std::int64_t>("retreats"));
     const hdf5::Group leap = from.open("leap");

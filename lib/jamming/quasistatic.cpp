@@ -29,16 +29,22 @@ constexpr double reference_overlap = 1e-3;  // in smallest diameters
 constexpr double reference_width = 5.0;     // mean diameter by volume, in smallest ones
 constexpr Count steps_between_looks = 10;
 
-/// Of its fastest, however far from balance forces are: every descent ends.
+// Events pass one after the other in a small packing and side by side in a large one: with fewer
+// contacts than this there are fewer to pass, and the pressure may fall faster by as much; but not
+// faster than the slowest of them turns over.
+constexpr double many_contacts = 10'000.0;
+/// Of the fastest, however far from balance forces are: every descent ends.
 constexpr double slowest_descent = 0.01;
 
 // When Newton's method is worth a trial, and how long to relax at least before the next: what has
-// failed is tried ever more rarely, and takes a tenth of the time at most. It leaves no trace.
+// failed is tried ever more rarely, and takes a tenth of the time at most, unless what it starts
+// from is far nearer to rest. It leaves no trace.
 constexpr double cundall_for_newton = 1e-5;
 constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
 constexpr Count steps_between_trials_in_their_cost = 10;
+constexpr double nearer_for_a_trial = 0.1;  // than at the last
 constexpr Count never = std::numeric_limits<Count>::max() / 2;
 constexpr double operations_of_a_step = 600.0;  // in a factorization's time, a particle awake
 constexpr double most_operations_of_a_factorization = 3e5;  // a particle
@@ -48,11 +54,13 @@ constexpr double most_operations_of_a_factorization = 3e5;  // a particle
 constexpr Count steps_between_verdicts = 2'000;
 constexpr Count steps_of_a_long_wait = 100'000;
 
-// At a saddle C is small, and grows. Leaps are long enough to leave it: with a tenth of the length
-// a run swings about it. One look after a verdict, so that what is judged is what came to rest.
+// At a saddle C is small, and grows; or it is smaller than tolerated and stays, but what has come
+// to rest was not taken for jammed. Leaps are long enough to leave it: with a tenth of the length a
+// run swings about it. One look after a verdict, so that what is judged is what came to rest.
 constexpr Count steps_between_leaps = 2'000;
 constexpr double cundall_at_a_saddle = 3.0;  // in the tolerated one
 constexpr double growth_at_a_saddle = 1.02;
+constexpr double rest_at_a_saddle = 0.98;
 constexpr double longest_leap = 1e-3;  // in smallest diameters
 
 // The pressure is raised to descend anew when contacts have been missing to isostaticity, whenever
@@ -218,6 +226,7 @@ void QuasistaticRun::apply(double pressure) {
     state_.quasistatic.pressure = std::max(pressure, settings_.applied_pressure);
     state_.quasistatic.foot_begin = state_.step;
     state_.quasistatic.next_trial = state_.step;
+    state_.quasistatic.trial_cundall = 0.0;
     state_.quasistatic.last_whole = state_.step;
     state_.quasistatic.leap = {};
     settings_.relax.pressure = pressure_now();
@@ -231,13 +240,23 @@ void QuasistaticRun::relax() {
         finish();
 }
 
-/// What is out of balance slows the fall, and at its limit stops it. Each time that the descent is
-/// begun anew it is half as fast.
+/// What is out of balance slows the fall, and at its limit all but stops it.
 void QuasistaticRun::descend() {
-    const double balance = 1.0 - relaxation_->cundall() / settings_.descent.cundall;
+    const double waiting = std::min(settings_.descent.cundall, 1.0 * slowest_turn());
+    const double balance = 1.0 - relaxation_->cundall() / waiting;
     const double share = balance > slowest_descent ? balance : slowest_descent;  // without contacts
-    const double rate = settings_.descent.rate * std::pow(0.5, state_.quasistatic.retreats);
-    apply(state_.quasistatic.pressure * std::exp(-rate * share));
+    apply(state_.quasistatic.pressure * std::exp(-fastest_descent() * share));
+}
+
+double QuasistaticRun::slowest_turn() const {
+    return std::sqrt(relative_overlap(scene_.contact, state_.quasistatic.pressure,
+                                      relaxation_->lists.smallest_diameter));
+}
+
+double QuasistaticRun::fastest_descent() const {
+    const double contacts = static_cast<double>(relaxation_->sums.contacts) + 1.0;
+    const double rate = settings_.descent.rate * std::max(1.0, many_contacts / contacts);
+    return std::min(rate, slowest_turn()) * std::pow(0.5, state_.quasistatic.retreats);
 }
 
 void QuasistaticRun::finish() {
@@ -245,8 +264,9 @@ void QuasistaticRun::finish() {
     const double cundall = relaxation_->cundall();
     const bool near = cundall <= cundall_for_newton ||
                       (steps >= steps_to_a_late_trial && cundall <= cundall_for_a_late_trial);
-    const bool at_minimum = near && settings_.newton_serves &&
-                            state_.step >= state_.quasistatic.next_trial && try_newton();
+    const bool due = state_.step >= state_.quasistatic.next_trial ||
+                     cundall <= nearer_for_a_trial * state_.quasistatic.trial_cundall;
+    const bool at_minimum = near && due && settings_.newton_serves && try_newton();
     if (at_minimum || steps % verdict_interval(steps) == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    pressure_error(state_.pressure, protocol_) <= settings_.stop.pressure;
@@ -258,7 +278,8 @@ void QuasistaticRun::leap_from_saddle() {
     LeapReference& before = state_.quasistatic.leap;
     const double cundall = relaxation_->cundall();
     const bool near = cundall <= cundall_at_a_saddle * settings_.stop.cundall;
-    const bool leaves = !before.centers.empty() && cundall > growth_at_a_saddle * before.cundall;
+    const double growth = cundall <= settings_.stop.cundall ? rest_at_a_saddle : growth_at_a_saddle;
+    const bool leaves = !before.centers.empty() && cundall > growth * before.cundall;
     if (near && leaves) {
         const double smallest = relaxation_->lists.smallest_diameter;
         leap(before, state_.cell, longest_leap * smallest, state_.particles);
@@ -298,6 +319,7 @@ bool QuasistaticRun::try_newton() {
                                             cost_in_steps(result, scratch.active.awake_count())})
                             : never;
     state_.quasistatic.next_trial = state_.step + pause;
+    state_.quasistatic.trial_cundall = result.tried ? scratch.cundall() : 0.0;
     if (!result.converged) return false;
     for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
     state_.velocity_gradient.setZero();

@@ -64,6 +64,10 @@ class QuasistaticRun {
     void apply(double pressure);
     void relax();
     void descend();
+    /// Of buckling, in the metric's units of time.
+    double slowest_turn() const;
+    /// Of the pressure, of itself a step; half as fast each time that the descent begins anew.
+    double fastest_descent() const;
     void finish();
     void leap_from_saddle();
     void count_missing_contacts();

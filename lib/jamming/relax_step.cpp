@@ -82,14 +82,13 @@ struct Move {
 /// velocity, whichever way it goes (Nesterov, Doklady Akad. Nauk SSSR 269, 543, 1983).
 Move next_move(const RelaxSettings& settings, const RelaxScratch& scratch) {
     const double smallest_diameter = scratch.lists.smallest_diameter;
-    const double pressure = settings.pressure.trace() / 3.0;
-    const double force = pressure * smallest_diameter * smallest_diameter;
-    const double overlap = overlap_of_force(settings.material, force, smallest_diameter);
+    const double overlap =
+        relative_overlap(settings.material, settings.pressure.trace() / 3.0, smallest_diameter);
     const double friction =
-        std::max(friction_in_roots_of_overlap * std::sqrt(overlap / smallest_diameter),
+        std::max(friction_in_roots_of_overlap * std::sqrt(overlap),
                  friction_per_contact / static_cast<double>(scratch.sums.contacts + 1));
     const double farthest = std::max(
-        fastest_in_overlaps * overlap,
+        fastest_in_overlaps * overlap * smallest_diameter,
         fastest_in_mean_overlaps * mean_overlap(scratch, settings.material, smallest_diameter));
     return {.keep = 1.0 - std::min(most_friction, friction * settings.time_step),
             .push = settings.time_step,
@@ -247,6 +246,11 @@ void keep_lists_valid(JamState& state, const StepMotion& moved, RelaxScratch& sc
 }
 
 }  // namespace
+
+double relative_overlap(const Material& material, double pressure, double smallest_diameter) {
+    const double force = pressure * smallest_diameter * smallest_diameter;
+    return overlap_of_force(material, force, smallest_diameter) / smallest_diameter;
+}
 
 void begin_relaxation(JamState& state, const RelaxSettings& settings, RelaxScratch& scratch) {
     if (state.list_reference.centers.empty()) {

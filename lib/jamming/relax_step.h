@@ -24,6 +24,10 @@ struct RelaxSettings {
     double largest_strain = 1e-3;  ///< of the cell in a step
 };
 
+/// Overlap of two of the smallest spheres that goes with a pressure, in their diameters: modes as
+/// slow as buckling turn over in 1 / sqrt of it, in the metric's units.
+double relative_overlap(const Material& material, double pressure, double smallest_diameter);
+
 /// Memory of the steps, kept between them.
 struct RelaxScratch {
     RelaxScratch(std::span<const double> diameters, const ListSettings& settings)

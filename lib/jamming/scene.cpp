@@ -13,8 +13,8 @@ void take_defaults_of_accuracy(Scene& scene) {
     switch (scene.protocol.accuracy) {
         case Accuracy::fast:
             descent.compaction_steps = 3'000;
-            descent.rate = 1e-3;
-            descent.cundall = 1e-2;
+            descent.rate = 3e-3;
+            descent.cundall = 3e-2;
             scene.stop.pressure = 1e-2;
             scene.stop.cundall = 1e-2;
             scene.stop.stability = false;

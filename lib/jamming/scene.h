@@ -64,7 +64,7 @@ struct DescentSettings {
     /// From where the pressure descends; nothing: chosen from law and sizes (quasistatic.h).
     std::optional<double> compaction_pressure;
     Count compaction_steps = 6'000;
-    double rate = 1e-4;     ///< of the fastest fall of the pressure, of itself a step
+    double rate = 1e-4;     ///< fastest fall of the pressure, of itself a step; of many contacts
     double cundall = 1e-3;  ///< at which the pressure waits
 };
 

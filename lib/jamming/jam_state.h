@@ -41,9 +41,9 @@ struct QuasistaticState {
     Count foot_begin = 0;        ///< step at which the descent ended
     Count next_trial = 0;        ///< step from which Newton's method is tried again
     double trial_cundall = 0.0;  ///< of its last trial there; 0: there is none to better
-    Count last_whole = 0;        ///< step of the last count at the foot without missing contacts
-    int retreats = 0;            ///< times that the descent was begun again, slower
-    LeapReference leap;          ///< empty wherever the run is at no saddle
+    Count last_whole = 0;  ///< step of the last look at the foot that found it whole and in motion
+    int retreats = 0;      ///< times that the descent was begun again, slower
+    LeapReference leap;    ///< empty wherever the run is at no saddle
 };
 
 struct JamState {

@@ -50,22 +50,23 @@ constexpr double operations_of_a_step = 600.0;  // in a factorization's time, a 
 constexpr double most_operations_of_a_factorization = 3e5;  // a particle
 
 // How often to ask whether the relaxation has come to rest by itself: the answer takes a
-// factorization, so it is asked for half as often each time that a long wait doubles its length.
+// factorization, so it is asked for half as often each time that a long wait doubles its length, at
+// the foot or at rest there.
 constexpr Count steps_between_verdicts = 2'000;
 constexpr Count steps_of_a_long_wait = 100'000;
+constexpr Count steps_of_a_long_rest = 8'000;
 
-// At a saddle C is small, and grows; or it is smaller than tolerated and stays, but what has come
-// to rest was not taken for jammed. Leaps are long enough to leave it: with a tenth of the length a
-// run swings about it. One look after a verdict, so that what is judged is what came to rest.
+// At a saddle C is small, and grows. Leaps are long enough to leave it: with a tenth of the length
+// a run swings about it. One look after a verdict, so that what is judged is what came to rest.
 constexpr Count steps_between_leaps = 2'000;
 constexpr double cundall_at_a_saddle = 3.0;  // in the tolerated one
 constexpr double growth_at_a_saddle = 1.02;
-constexpr double rest_at_a_saddle = 0.98;
 constexpr double longest_leap = 1e-3;  // in smallest diameters
 
-// The pressure is raised to descend anew when contacts have been missing to isostaticity, whenever
-// asked, for so many steps. Contacts flicker while an event passes, so one look proves nothing; and
-// while the network stands the foot is where it comes to rest soonest.
+// The pressure is raised to descend anew when for so many steps, whenever asked, contacts have been
+// missing to isostaticity, or what rests was not taken for jammed: a mode so weakly unstable that
+// nothing leaves it. Contacts flicker while an event passes, so one look proves nothing; and while
+// the network stands the foot is where it comes to rest soonest.
 constexpr Count patience = 64'000;
 constexpr Count steps_between_counts = 2'000;
 constexpr double climb_in_pressure = 4.0;
@@ -81,8 +82,9 @@ double compaction_time_step(const QuasistaticSettings& settings,
                     longest_step_of_the_cell / cell_rate);
 }
 
-Count verdict_interval(Count steps_at_foot) {
-    const Count lengths = std::max<Count>(1, steps_at_foot / steps_of_a_long_wait);
+Count verdict_interval(Count steps_at_foot, Count steps_at_rest) {
+    const Count lengths = std::max<Count>(
+        {1, steps_at_foot / steps_of_a_long_wait, steps_at_rest / steps_of_a_long_rest});
     return steps_between_verdicts *
            static_cast<Count>(std::bit_floor(static_cast<std::uint64_t>(lengths)));
 }
@@ -242,7 +244,7 @@ void QuasistaticRun::relax() {
 
 /// What is out of balance slows the fall, and at its limit all but stops it.
 void QuasistaticRun::descend() {
-    const double waiting = std::min(settings_.descent.cundall, 1.0 * slowest_turn());
+    const double waiting = std::min(settings_.descent.cundall, slowest_turn());
     const double balance = 1.0 - relaxation_->cundall() / waiting;
     const double share = balance > slowest_descent ? balance : slowest_descent;  // without contacts
     apply(state_.quasistatic.pressure * std::exp(-fastest_descent() * share));
@@ -267,19 +269,19 @@ void QuasistaticRun::finish() {
     const bool due = state_.step >= state_.quasistatic.next_trial ||
                      cundall <= nearer_for_a_trial * state_.quasistatic.trial_cundall;
     const bool at_minimum = near && due && settings_.newton_serves && try_newton();
-    if (at_minimum || steps % verdict_interval(steps) == 0)
+    const Count interval = verdict_interval(steps, state_.step - state_.quasistatic.last_whole);
+    if (at_minimum || steps % interval == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    pressure_error(state_.pressure, protocol_) <= settings_.stop.pressure;
     if (steps % steps_between_leaps == steps_between_looks) leap_from_saddle();
-    if (steps % steps_between_counts == 0) count_missing_contacts();
+    if (steps % steps_between_counts == 0) look_whether_whole();
 }
 
 void QuasistaticRun::leap_from_saddle() {
     LeapReference& before = state_.quasistatic.leap;
     const double cundall = relaxation_->cundall();
     const bool near = cundall <= cundall_at_a_saddle * settings_.stop.cundall;
-    const double growth = cundall <= settings_.stop.cundall ? rest_at_a_saddle : growth_at_a_saddle;
-    const bool leaves = !before.centers.empty() && cundall > growth * before.cundall;
+    const bool leaves = !before.centers.empty() && cundall > growth_at_a_saddle * before.cundall;
     if (near && leaves) {
         const double smallest = relaxation_->lists.smallest_diameter;
         leap(before, state_.cell, longest_leap * smallest, state_.particles);
@@ -291,8 +293,9 @@ void QuasistaticRun::leap_from_saddle() {
     }
 }
 
-void QuasistaticRun::count_missing_contacts() {
-    if (excess_contact_count_of_held(to_packing(state_, scene_)) >= 0)
+void QuasistaticRun::look_whether_whole() {
+    const bool rests = relaxation_->cundall() <= settings_.stop.cundall;
+    if (!rests && excess_contact_count_of_held(to_packing(state_, scene_)) >= 0)
         state_.quasistatic.last_whole = state_.step;
     else if (state_.step - state_.quasistatic.last_whole >= patience)
         climb();

@@ -70,7 +70,7 @@ class QuasistaticRun {
     double fastest_descent() const;
     void finish();
     void leap_from_saddle();
-    void count_missing_contacts();
+    void look_whether_whole();
     void climb();
     /// Whether it came to a minimum; says in the state when to try again.
     bool try_newton();

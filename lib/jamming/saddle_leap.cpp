@@ -9,7 +9,7 @@ namespace jam {
 
 namespace {
 
-constexpr double most_times = 1e4;
+constexpr double most_times = 50.0;
 
 /// Fractional, by the nearest way.
 Vec3 displacement_since(const LeapReference& reference, const Particles& particles, std::size_t i) {

@@ -13,8 +13,8 @@ namespace jam {
 LeapReference leap_reference(const Particles& particles, double cundall);
 
 /// Adds to the center of each particle in contact its displacement since the reference, so many
-/// times that the one that goes farthest goes `longest` (Cartesian), or 10,000 times if that is
-/// less. Returns how many times; 0 if nobody has moved. Lists are no longer valid.
+/// times that the one that goes farthest goes `longest` (Cartesian), or 50 times if that is less.
+/// Returns how many times; 0 if nobody has moved. Lists are no longer valid.
 double leap(const LeapReference& reference, const PeriodicCell& cell, double longest,
             Particles& particles);
 

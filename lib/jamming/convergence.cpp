@@ -24,7 +24,7 @@ double change_within_window(const JamState& state, const StopSettings& stop, Qua
 }
 
 /// Negative curvature that counts as none, in applied pressures times the smallest diameter.
-constexpr double tolerated_instability = 1e-3;
+constexpr double tolerated_instability = 5e-3;
 
 /// Particles of a backbone beyond which a factorization takes minutes and gigabytes.
 constexpr Count largest_tested_backbone = 60'000;

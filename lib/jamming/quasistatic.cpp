@@ -58,7 +58,6 @@ constexpr Count steps_of_a_long_rest = 8'000;
 
 // At a saddle C is small, and grows. Leaps are long enough to leave it: with a tenth of the length
 // a run swings about it. One look after a verdict, so that what is judged is what came to rest.
-constexpr Count steps_between_leaps = 2'000;
 constexpr double cundall_at_a_saddle = 3.0;  // in the tolerated one
 constexpr double growth_at_a_saddle = 1.02;
 constexpr double longest_leap = 1e-3;  // in smallest diameters
@@ -273,7 +272,7 @@ void QuasistaticRun::finish() {
     if (at_minimum || steps % interval == 0)
         at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
                    pressure_error(state_.pressure, protocol_) <= settings_.stop.pressure;
-    if (steps % steps_between_leaps == steps_between_looks) leap_from_saddle();
+    if (steps % interval == steps_between_looks) leap_from_saddle();
     if (steps % steps_between_counts == 0) look_whether_whole();
 }
 

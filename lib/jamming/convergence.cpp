@@ -56,7 +56,7 @@ double instability(const Measurement& measurement, const ProtocolSettings& proto
 
 /// A relaxation has no motion in time: it has arrived where forces and stress balance, and what it
 /// has come to must be able to stand. Stability is asked for last, since it costs most.
-Verdict judge_at_rest(const Measurement& measurement, const Scene& scene) {
+Verdict judge_at_rest(const Measurement& measurement, const Scene& scene, bool ask_stability) {
     const PackingStatistics& now = measurement.statistics;
     Verdict verdict;
     verdict.criteria = {
@@ -68,11 +68,11 @@ Verdict judge_at_rest(const Measurement& measurement, const Scene& scene) {
     const bool testable = scene.protocol.free_cell == FreeCell::all &&
                           measurement.network.rattlers.backbone_count() <= largest_tested_backbone;
     if (!testable) return verdict;
-    const bool at_rest = verdict.converged();
-    verdict.criteria.push_back(criterion("instability",
-                                         at_rest ? instability(measurement, scene.protocol)
-                                                 : std::numeric_limits<double>::quiet_NaN(),
-                                         tolerated_instability));
+    const bool asked = ask_stability && verdict.converged();
+    verdict.criteria.push_back(criterion(
+        "instability",
+        asked ? instability(measurement, scene.protocol) : std::numeric_limits<double>::quiet_NaN(),
+        tolerated_instability));
     return verdict;
 }
 
@@ -108,10 +108,12 @@ double pressure_error(const Mat3& internal, const ProtocolSettings& protocol) {
     return difference.cwiseAbs().maxCoeff() / (protocol.pressure.trace() / 3.0);
 }
 
-Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene) {
+Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene,
+              bool ask_stability) {
     const PackingStatistics& now = measurement.statistics;
     const StopSettings& stop = scene.stop;
-    if (scene.protocol.kind == ProtocolKind::quasistatic) return judge_at_rest(measurement, scene);
+    if (scene.protocol.kind == ProtocolKind::quasistatic)
+        return judge_at_rest(measurement, scene, ask_stability);
     Verdict verdict;
     verdict.criteria = {
         criterion("pressure", pressure_error(now.pressure, scene.protocol), stop.pressure),

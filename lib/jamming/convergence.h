@@ -32,7 +32,9 @@ void take_sample(const Measurement& measurement, const StopSettings& stop, JamSt
 /// isostaticity, and stability of the backbone (up to 60,000 particles in a cell free in all
 /// components: its particles with four contacts or more and, if these give way, all of it; an
 /// eigenvalue below -5e-3 p D_min is unstable).
-Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene);
+/// Where stability is not asked for it reads unknown, and does not hold.
+Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene,
+              bool ask_stability = true);
 
 /// Largest |P_int - P_a| of the six components over the mean of P_a; of the components that the
 /// cell is free to answer to.

@@ -118,7 +118,7 @@ class JamRun {
             require_bounded_motion();
             const std::optional<JamOutcome> limit = reached_limit();
             if (passed(before, scene_.run.record_interval) || limit || method_.at_rest()) {
-                JamResult result = measure_and_record();
+                JamResult result = measure_and_record(limit || method_.at_rest());
                 if (limit) result.outcome = *limit;
                 if (result.verdict.converged()) result.outcome = JamOutcome::converged;
                 if (limit || result.verdict.converged()) {
@@ -145,7 +145,8 @@ class JamRun {
         return std::nullopt;
     }
 
-    JamResult measure_and_record() {
+    /// Stability costs a factorization: asked for where a run may end, not at each record.
+    JamResult measure_and_record(bool ask_stability) {
         state_.wall_seconds = watch_.total();
         JamResult result;
         {
@@ -154,7 +155,7 @@ class JamRun {
             // A stop between two records must leave no trace in the samples.
             if (state_.step % scene_.run.record_interval == 0)
                 take_sample(result.measurement, scene_.stop, state_);
-            result.verdict = judge(result.measurement, state_, scene_);
+            result.verdict = judge(result.measurement, state_, scene_, ask_stability);
         }
         result.measurement.packing.provenance.verdict = to_json(result.verdict);
         result.times = method_.times();

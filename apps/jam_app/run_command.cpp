@@ -131,10 +131,11 @@ std::optional<JamResult> result_without_a_step(const Sitting& sitting) {
     const JamState& state = sitting.state;
     const bool at_record = state.step > 0 && state.step % sitting.scene.run.record_interval == 0;
     const bool at_limit = state.step >= sitting.scene.stop.max_steps;
-    if (!at_record && !at_limit) return std::nullopt;
+    const bool at_rest = state.quasistatic.at_rest;
+    if (!at_record && !at_limit && !at_rest) return std::nullopt;
     JamResult result;
     result.measurement = measure(state, sitting.scene);
-    result.verdict = judge(result.measurement, state, sitting.scene);
+    result.verdict = judge(result.measurement, state, sitting.scene, at_limit || at_rest);
     result.measurement.packing.provenance.verdict = to_json(result.verdict);
     if (!result.verdict.converged() && !at_limit) return std::nullopt;
     result.outcome = result.verdict.converged() ? JamOutcome::converged : JamOutcome::step_limit;

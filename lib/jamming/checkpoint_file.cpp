@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t format_version = 5;
+constexpr std::int64_t format_version = 6;
 
 fs::path previous(const fs::path& path) {
     fs::path kept = path;
@@ -143,6 +143,7 @@ void write_quasistatic(const hdf5::Group& group, const QuasistaticState& quasist
     to.write("trial_cundall", quasistatic.trial_cundall);
     to.write("last_whole", std::int64_t{quasistatic.last_whole});
     to.write("retreats", std::int64_t{quasistatic.retreats});
+    to.write("at_rest", std::int64_t{quasistatic.at_rest});
     const hdf5::Group leap = to.create("leap");
     leap.write("cundall", quasistatic.leap.cundall);
     write_centers(leap, quasistatic.leap.centers);
@@ -158,6 +159,7 @@ QuasistaticState read_quasistatic(const hdf5::Group& group, std::size_t count) {
     quasistatic.trial_cundall = from.read<double>("trial_cundall");
     quasistatic.last_whole = from.read<std::int64_t>("last_whole");
     quasistatic.retreats = static_cast<int>(from.read<std::int64_t>("retreats"));
+    quasistatic.at_rest = from.read<std::int64_t>("at_rest") != 0;
     const hdf5::Group leap = from.open("leap");
     quasistatic.leap = {leap.read<double>("cundall"), read_centers(leap, count)};
     return quasistatic;

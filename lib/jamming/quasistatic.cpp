@@ -203,7 +203,7 @@ void QuasistaticRun::begin() {
 }
 
 void QuasistaticRun::advance() {
-    at_rest_ = false;
+    state_.quasistatic.at_rest = false;
     if (!compacting()) {
         relax();
         return;
@@ -270,8 +270,9 @@ void QuasistaticRun::finish() {
     const bool at_minimum = near && due && settings_.newton_serves && try_newton();
     const Count interval = verdict_interval(steps, state_.step - state_.quasistatic.last_whole);
     if (at_minimum || steps % interval == 0)
-        at_rest_ = relaxation_->cundall() <= settings_.stop.cundall &&
-                   pressure_error(state_.pressure, protocol_) <= settings_.stop.pressure;
+        state_.quasistatic.at_rest =
+            relaxation_->cundall() <= settings_.stop.cundall &&
+            pressure_error(state_.pressure, protocol_) <= settings_.stop.pressure;
     if (steps % interval == steps_between_looks) leap_from_saddle();
     if (steps % steps_between_counts == 0) look_whether_whole();
 }

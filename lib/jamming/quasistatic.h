@@ -47,9 +47,8 @@ class QuasistaticRun {
     /// One step: of compaction or of relaxation, and where Newton's method reaches a minimum all of
     /// it (as many steps as it took factorizations).
     void advance();
-    /// Whether the state has just come to rest at the applied pressure, as far as forces and
-    /// stress tell; the verdict decides.
-    bool at_rest() const { return at_rest_; }
+    /// The verdict decides.
+    bool at_rest() const { return state_.quasistatic.at_rest; }
 
     const ContactSums& sums() const;
     const StepMotion& motion() const;
@@ -84,7 +83,6 @@ class QuasistaticRun {
     std::vector<double> diameters_;
     std::optional<NphScratch> compaction_;
     std::optional<RelaxScratch> relaxation_;
-    bool at_rest_ = false;
 };
 
 }  // namespace jam

@@ -107,6 +107,20 @@ TEST_F(JamAppRun, StoppedAndResumedEqualsUninterrupted) {
     EXPECT_EQ(count_lines("parts"), 5);
 }
 
+TEST_F(JamAppRun, WhatHasConvergedBetweenTwoRecordsStaysWhereItIs) {
+    const std::vector<std::string> quasistatic = {"--set", "protocol.kind=quasistatic", "--set",
+                                                  "run.record_interval=1000000"};
+    ASSERT_EQ(run("jammed", quasistatic).status, 0);
+    const fs::path file = fs::path(out("jammed")) / "packing.h5";
+    const Packing before = load_packing(file);
+    std::vector<std::string> resumed = quasistatic;
+    resumed.emplace_back("--resume");
+    ASSERT_EQ(run("jammed", resumed).status, 0);
+    const Packing after = load_packing(file);
+    EXPECT_EQ(after.step, before.step);
+    EXPECT_EQ(after.positions, before.positions);
+}
+
 TEST_F(JamAppRun, BadInputWritesNothing) {
     const ProgramRun bad = run("bad", {"--set", "sizes.size_ratio=-3"});
     EXPECT_EQ(bad.status, 2);

@@ -41,7 +41,7 @@ TEST(Rejam, APackingOfRattlersAloneIsRefused) {
     EXPECT_THROW(without_rattlers(packing), InputError);
 }
 
-TEST(Rejam, TheLadderBeginsAtItsFoot) {
+TEST(Rejam, TheDescentBeginsAtItsFoot) {
     Scene scene;
     scene.protocol.pressure = 3e-5 * Mat3::Identity();
     begin_at_applied_pressure(scene);

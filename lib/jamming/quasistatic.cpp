@@ -95,6 +95,13 @@ Count cost_in_steps(const NewtonResult& newton, Count awake) {
         (operations_of_a_step * static_cast<double>(std::max(awake, Count{1}))));
 }
 
+/// Particles and cell, with lists to be made anew.
+void bring_to_standstill(JamState& state) {
+    for (Motion& motion : state.particles.motions) motion.velocity.setZero();
+    state.velocity_gradient.setZero();
+    state.list_reference = {};
+}
+
 bool is_isotropic(const Mat3& pressure) {
     return pressure == Mat3(Mat3::Identity() * pressure(0, 0));
 }
@@ -214,9 +221,7 @@ void QuasistaticRun::advance() {
 }
 
 void QuasistaticRun::begin_descent() {
-    for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
-    state_.velocity_gradient.setZero();
-    state_.list_reference = {};
+    bring_to_standstill(state_);
     state_.quasistatic.stage = QuasistaticState::Stage::relaxation;
     relaxation_.emplace(diameters_, lists_);
     apply(state_.quasistatic.pressure);
@@ -324,9 +329,7 @@ bool QuasistaticRun::try_newton() {
     state_.quasistatic.next_trial = state_.step + pause;
     state_.quasistatic.trial_cundall = result.tried ? scratch.cundall() : 0.0;
     if (!result.converged) return false;
-    for (Motion& motion : state_.particles.motions) motion.velocity.setZero();
-    state_.velocity_gradient.setZero();
-    state_.list_reference = {};
+    bring_to_standstill(state_);
     state_.quasistatic.leap = {};
     state_.step += result.factorizations;
     begin_relaxation(state_, settings_.relax, scratch);

@@ -28,7 +28,7 @@ constexpr double friction_per_contact = 3.0;
 constexpr double most_friction = 0.5;         // of a velocity in a step
 constexpr double fastest_in_overlaps = 20.0;  // in a step, of the smallest spheres
 /// The same in mean overlaps, which are more where small spheres bear nothing.
-constexpr double fastest_in_mean_overlaps = 0.2;
+constexpr double fastest_in_mean_overlaps = 1.0;
 
 /// Share of its velocity that a particle keeps in a step while it touches nothing. It must hardly
 /// lose any: what slides along pushes rattlers before it, and all that they lose it has to give.

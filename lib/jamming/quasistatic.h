@@ -47,7 +47,7 @@ class QuasistaticRun {
     /// One step: of compaction or of relaxation, and where Newton's method reaches a minimum all of
     /// it (as many steps as it took factorizations).
     void advance();
-    /// The verdict decides.
+    /// As far as forces and stress tell (QuasistaticState); the verdict decides.
     bool at_rest() const { return state_.quasistatic.at_rest; }
 
     const ContactSums& sums() const;

@@ -126,22 +126,6 @@ void note_times(const StageTimes& times, Progress& progress) {
 
 // --- middle -------------------------------------------------------------------------------------
 
-/// What a checkpoint that needs no further step comes to: it was converged, or at a limit.
-std::optional<JamResult> result_without_a_step(const Sitting& sitting) {
-    const JamState& state = sitting.state;
-    const bool at_record = state.step > 0 && state.step % sitting.scene.run.record_interval == 0;
-    const bool at_limit = state.step >= sitting.scene.stop.max_steps;
-    const bool at_rest = state.quasistatic.at_rest;
-    if (!at_record && !at_limit && !at_rest) return std::nullopt;
-    JamResult result;
-    result.measurement = measure(state, sitting.scene);
-    result.verdict = judge(result.measurement, state, sitting.scene, at_limit || at_rest);
-    result.measurement.packing.provenance.verdict = to_json(result.verdict);
-    if (!result.verdict.converged() && !at_limit) return std::nullopt;
-    result.outcome = result.verdict.converged() ? JamOutcome::converged : JamOutcome::step_limit;
-    return result;
-}
-
 JamResult jam(Sitting& sitting, const StopSignal& signal, Progress& progress) {
     const std::string text = scene_text(sitting.scene);
     RecordFile records(sitting.folder.record(), last_kept_record(sitting));
@@ -176,7 +160,7 @@ int run_sitting(Sitting& sitting) {
     progress.say(fmt::format("{}: {} particles from step {}, results in {}",
                              sitting.options.scene.scene.string(), sitting.state.particles.size(),
                              sitting.state.step, sitting.folder.path().string()));
-    std::optional<JamResult> at_once = result_without_a_step(sitting);
+    std::optional<JamResult> at_once = ending_without_a_step(sitting.scene, sitting.state);
     JamResult result = at_once ? std::move(*at_once) : jam(sitting, signal, progress);
     save_result(result, sitting);
     note_times(result.times, progress);

@@ -76,6 +76,16 @@ Record record_of(const JamState& state, const Measurement& measurement, const Co
     return record;
 }
 
+/// Stability costs a factorization: asked for where a run may end, not at each record.
+JamResult judged(const Scene& scene, const JamState& state, Measurement measurement,
+                 bool ask_stability) {
+    JamResult result;
+    result.measurement = std::move(measurement);
+    result.verdict = judge(result.measurement, state, scene, ask_stability);
+    result.measurement.packing.provenance.verdict = to_json(result.verdict);
+    return result;
+}
+
 /// A run by the nph protocol, one step at a time.
 class NphRun {
   public:
@@ -119,9 +129,11 @@ class JamRun {
             const std::optional<JamOutcome> limit = reached_limit();
             if (passed(before, scene_.run.record_interval) || limit || method_.at_rest()) {
                 JamResult result = measure_and_record(limit || method_.at_rest());
+                const bool converged = result.verdict.converged();
                 if (limit) result.outcome = *limit;
-                if (result.verdict.converged()) result.outcome = JamOutcome::converged;
-                if (limit || result.verdict.converged()) {
+                if (converged) result.outcome = JamOutcome::converged;
+                if (limit || converged) {
+                    if (converged) state_.quasistatic.at_rest = true;
                     checkpoint();
                     return result;
                 }
@@ -145,19 +157,17 @@ class JamRun {
         return std::nullopt;
     }
 
-    /// Stability costs a factorization: asked for where a run may end, not at each record.
     JamResult measure_and_record(bool ask_stability) {
         state_.wall_seconds = watch_.total();
         JamResult result;
         {
             const StageTimer timer(times_, Stage::measure);
-            result.measurement = measure(state_, scene_);
+            Measurement measurement = measure(state_, scene_);
             // A stop between two records must leave no trace in the samples.
             if (state_.step % scene_.run.record_interval == 0)
-                take_sample(result.measurement, scene_.stop, state_);
-            result.verdict = judge(result.measurement, state_, scene_, ask_stability);
+                take_sample(measurement, scene_.stop, state_);
+            result = judged(scene_, state_, std::move(measurement), ask_stability);
         }
-        result.measurement.packing.provenance.verdict = to_json(result.verdict);
         result.times = method_.times();
         result.times += times_;
         Record record = record_of(state_, result.measurement, method_.sums());
@@ -215,6 +225,17 @@ void require_stable_time_step(const Scene& scene, const JamState& state) {
         "protocol.time_step = {:.6g}: above the stability limit of the stiffest particle, {:.4g} "
         "here; use a smaller one, such as {:.3g}, or protocol.time_step = \"automatic\"",
         *scene.protocol.time_step, limit, 0.25 * limit);
+}
+
+std::optional<JamResult> ending_without_a_step(const Scene& scene, const JamState& state) {
+    const bool at_record = state.step > 0 && state.step % scene.run.record_interval == 0;
+    const bool at_limit = state.step >= scene.stop.max_steps;
+    const bool at_rest = state.quasistatic.at_rest;
+    if (!at_record && !at_limit && !at_rest) return std::nullopt;
+    JamResult result = judged(scene, state, measure(state, scene), at_limit || at_rest);
+    if (!result.verdict.converged() && !at_limit) return std::nullopt;
+    result.outcome = result.verdict.converged() ? JamOutcome::converged : JamOutcome::step_limit;
+    return result;
 }
 
 JamResult jam_packing(const Scene& scene, JamState& state, const JamHooks& hooks) {

@@ -10,6 +10,7 @@
 #include "jamming/verdict.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace jam {
@@ -36,6 +37,10 @@ struct JamResult {
 /// Throws InputError if the time step that the scene asks for is above stability_limit
 /// (nph_step.h), with the masses and the damping of its protocol. jam_packing asks the same.
 void require_stable_time_step(const Scene& scene, const JamState& state);
+
+/// What a state from a checkpoint comes to when it needs no further step: it is at a limit or, by
+/// the scene as it is now, converged. nullopt where it is to go on.
+std::optional<JamResult> ending_without_a_step(const Scene& scene, const JamState& state);
 
 /// Runs `state` by the scene's protocol until it is converged, a limit is reached or a stop is
 /// requested. `state` is a start_state or what a checkpoint held; afterwards it is whole, and may

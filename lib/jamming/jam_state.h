@@ -44,7 +44,7 @@ struct QuasistaticState {
     Count last_whole = 0;  ///< step of the last look at the foot that found it whole and in motion
     int retreats = 0;      ///< times that the descent was begun again, slower
     LeapReference leap;    ///< empty wherever the run is at no saddle
-    bool at_rest = false;  ///< has just come to rest at the foot, as far as forces and stress tell
+    bool at_rest = false;  ///< at the foot, as far as forces and stress tell, or found converged
 };
 
 struct JamState {

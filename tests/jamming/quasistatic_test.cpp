@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 namespace jam {
 namespace {
@@ -44,6 +45,22 @@ TEST(Quasistatic, ComesToRestAtTheAppliedPressureAndStands) {
     EXPECT_GT(now.volume_fraction, 0.6);
     EXPECT_LT(now.volume_fraction, 0.72);
     EXPECT_EQ(now.kinetic_energy_per_particle, 0.0);
+}
+
+TEST(Quasistatic, AStopThatFindsItConvergedIsItsEnd) {
+    Scene scene = small_scene(60);
+    JamState state = start_state(scene);
+    ASSERT_EQ(jam_packing(scene, state).outcome, JamOutcome::converged);
+    scene.run.record_interval = 1'000'000;
+    state.quasistatic.at_rest = false;
+    ASSERT_FALSE(ending_without_a_step(scene, state)) << "as between two verdicts";
+    const JamResult stopped = jam_packing(scene, state, {.stop_requested = [] { return true; }});
+    ASSERT_EQ(stopped.outcome, JamOutcome::converged) << to_text(stopped.verdict);
+    const std::optional<JamResult> ending = ending_without_a_step(scene, state);
+    ASSERT_TRUE(ending);
+    EXPECT_EQ(ending->outcome, JamOutcome::converged);
+    scene.stop.cundall = 1e-300;
+    EXPECT_FALSE(ending_without_a_step(scene, state)) << "by the criteria as they are now";
 }
 
 TEST(Quasistatic, FastEndsSoonerWithoutAWordOnStability) {

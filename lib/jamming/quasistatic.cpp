@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace jam {
 
@@ -35,19 +34,20 @@ constexpr Count steps_between_looks = 10;
 constexpr double many_contacts = 10'000.0;
 /// Of the fastest, however far from balance forces are: every descent ends.
 constexpr double slowest_descent = 0.01;
+/// At a pressure that overlaps equal spheres by 1e-4.
+constexpr double turn_at_full_limit = 1e-2;
 
-// When Newton's method is worth a trial, and how long to relax at least before the next: what has
-// failed is tried ever more rarely, and takes a tenth of the time at most, unless what it starts
-// from is far nearer to rest. It leaves no trace.
+// When Newton's method is worth a trial, and how long to relax at least before the next: one that
+// fails takes a tenth of the time so far at most, and what has failed is tried ever more rarely,
+// unless what it starts from is far nearer to rest. It leaves no trace.
 constexpr double cundall_for_newton = 1e-5;
 constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
 constexpr Count steps_between_trials_in_their_cost = 10;
-constexpr double nearer_for_a_trial = 0.1;  // than at the last
-constexpr Count never = std::numeric_limits<Count>::max() / 2;
+constexpr double nearer_for_a_trial = 0.1;      // than at the last
 constexpr double operations_of_a_step = 600.0;  // in a factorization's time, a particle awake
-constexpr double most_operations_of_a_factorization = 3e5;  // a particle
+constexpr double factorizations_of_a_failure = 25.0;
 
 // How often to ask whether the relaxation has come to rest by itself: the answer takes a
 // factorization, so it is asked for half as often each time that a long wait doubles its length, at
@@ -86,6 +86,13 @@ Count verdict_interval(Count steps_at_foot, Count steps_at_rest) {
         {1, steps_at_foot / steps_of_a_long_wait, steps_at_rest / steps_of_a_long_rest});
     return steps_between_verdicts *
            static_cast<Count>(std::bit_floor(static_cast<std::uint64_t>(lengths)));
+}
+
+/// What one factorization may take, so that a failure takes a tenth of the time of so many steps.
+double affordable_operations(Count steps, Count awake) {
+    const Count tenth = std::max(steps_between_trials, steps / steps_between_trials_in_their_cost);
+    return operations_of_a_step * static_cast<double>(tenth * std::max(awake, Count{1})) /
+           factorizations_of_a_failure;
 }
 
 /// Steps that would have taken the time of these factorizations.
@@ -150,9 +157,7 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
         .material = scene.contact, .pressure = protocol.pressure, .free_cell = protocol.free_cell};
     settings.newton = {.material = scene.contact,
                        .pressure = settings.applied_pressure,
-                       .cundall = 0.1 * scene.stop.cundall,
-                       .most_operations = most_operations_of_a_factorization *
-                                          static_cast<double>(state.particles.size())};
+                       .cundall = 0.1 * scene.stop.cundall};
     settings.newton_serves = protocol.free_cell == FreeCell::all && is_isotropic(protocol.pressure);
     return settings;
 }
@@ -246,9 +251,13 @@ void QuasistaticRun::relax() {
         finish();
 }
 
-/// What is out of balance slows the fall, and at its limit all but stops it.
+/// What is out of balance slows the fall, and at its limit all but stops it: a limit that falls
+/// with the pressure, since a network that flows at a share of its forces closes fewer contacts
+/// than it opens where the overlaps are small.
 void QuasistaticRun::descend() {
-    const double waiting = std::min(settings_.descent.cundall, slowest_turn());
+    const double turn = slowest_turn();
+    const double limit = settings_.descent.cundall * std::min(1.0, turn / turn_at_full_limit);
+    const double waiting = std::min(limit, turn);
     const double balance = 1.0 - relaxation_->cundall() / waiting;
     const double share = balance > slowest_descent ? balance : slowest_descent;  // without contacts
     apply(state_.quasistatic.pressure * std::exp(-fastest_descent() * share));
@@ -314,6 +323,8 @@ void QuasistaticRun::climb() {
 
 bool QuasistaticRun::try_newton() {
     RelaxScratch& scratch = *relaxation_;
+    const Count awake = scratch.active.awake_count();
+    settings_.newton.most_operations = affordable_operations(state_.step, awake);
     NewtonResult result;
     {
         const StageTimer timer(scratch.times, Stage::newton);
@@ -321,11 +332,10 @@ bool QuasistaticRun::try_newton() {
                               scratch.lists.smallest_diameter, state_.cell, state_.particles);
     }
     const Count steps_at_foot = state_.step - state_.quasistatic.foot_begin;
-    const Count pause = result.tried
-                            ? std::max({steps_between_trials, steps_at_foot,
-                                        steps_between_trials_in_their_cost *
-                                            cost_in_steps(result, scratch.active.awake_count())})
-                            : never;
+    const Count pause =
+        result.tried ? std::max({steps_between_trials, steps_at_foot,
+                                 steps_between_trials_in_their_cost * cost_in_steps(result, awake)})
+                     : state_.step;
     state_.quasistatic.next_trial = state_.step + pause;
     state_.quasistatic.trial_cundall = result.tried ? scratch.cundall() : 0.0;
     if (!result.converged) return false;

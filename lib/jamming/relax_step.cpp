@@ -32,7 +32,9 @@ constexpr double fastest_in_mean_overlaps = 1.0;
 
 /// Share of its velocity that a particle keeps in a step while it touches nothing. It must hardly
 /// lose any: what slides along pushes rattlers before it, and all that they lose it has to give.
-constexpr double kept_by_loose_ones = 0.999;
+constexpr double kept_by_loose_ones = 0.9999;
+/// In top speeds: below it they stop, for nobody is pushed along so slowly.
+constexpr double standstill_of_loose_ones = 1e-6;
 
 Double4 dot(const Columns4& a, const Columns4& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -158,7 +160,8 @@ class Mover {
         Double4 squared = dot(after, after);
         const Mask4 too_fast = squared > Double4{} + top_speed_ * top_speed_;
         if (bits_of(too_fast) != 0) scale(too_fast, squared, after);
-        const Mask4 stops = ~touches & (squared < Double4{} + 1e-24 * top_speed_ * top_speed_);
+        const double standstill = standstill_of_loose_ones * top_speed_;
+        const Mask4 stops = ~touches & (squared < Double4{} + standstill * standstill);
         after.x = stops ? Double4{} : after.x;
         after.y = stops ? Double4{} : after.y;
         after.z = stops ? Double4{} : after.z;

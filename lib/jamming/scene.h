@@ -65,7 +65,7 @@ struct DescentSettings {
     std::optional<double> compaction_pressure;
     Count compaction_steps = 6'000;
     double rate = 1e-4;     ///< fastest fall of the pressure, of itself a step; of many contacts
-    double cundall = 1e-3;  ///< at which the pressure waits
+    double cundall = 1e-3;  ///< at which the pressure waits, where overlaps are 1e-4 or more
 };
 
 struct ProtocolSettings {

@@ -163,7 +163,8 @@ static std::vector<SceneKey> descent_keys() {
         {"protocol.descent_rate", "", "quasistatic: fastest fall of the pressure, of itself a step",
          in(above(0, 1), &Descent::rate)},
         {"protocol.descent_cundall", "",
-         "quasistatic: Cundall parameter at which the pressure waits",
+         "quasistatic: Cundall parameter at which the pressure waits, where overlaps are 1e-4 or "
+         "more",
          in(above(0, 1), &Descent::cundall)},
     };
 }

@@ -45,7 +45,7 @@ bool touches_another(const JamState& state, std::size_t i) {
 
 TEST(RelaxStep, WhoeverIsNotActiveTouchesNothingAndStandsStill) {
     JamState state = pressed_spheres();
-    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-2};
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-3};
     RelaxScratch scratch = begin(state, settings);
     std::size_t idle = 0;
     for (int step = 0; step < 3000; ++step) {

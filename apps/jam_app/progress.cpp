@@ -56,9 +56,15 @@ static std::string speed(const Record& record) {
                : "";
 }
 
+/// The last one that is missing by its name and value: it is what a run waits for.
 static std::string criteria(const Verdict& verdict) {
-    const auto held = std::ranges::count_if(verdict.criteria, &Criterion::holds);
-    return fmt::format("{} of {} criteria", held, verdict.criteria.size());
+    const std::vector<Criterion>& all = verdict.criteria;
+    const auto held = static_cast<std::size_t>(std::ranges::count_if(all, &Criterion::holds));
+    std::string text = fmt::format("{} of {} criteria", held, all.size());
+    const auto missing = std::ranges::find_if_not(all, &Criterion::holds);
+    if (held + 1 == all.size() && !std::isnan(missing->value))
+        text += fmt::format(", {} {:.1e}", missing->name, missing->value);
+    return text;
 }
 
 /// The most telling first: the last ones go where the line is short.

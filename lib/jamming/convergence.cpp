@@ -23,7 +23,7 @@ double change_within_window(const JamState& state, const StopSettings& stop, Qua
     return quantity(*high) - quantity(*low);
 }
 
-/// Negative curvature that counts as none, in applied pressures times the smallest diameter.
+/// Negative curvature that counts as none, in applied pressures times the backbone's mean diameter.
 constexpr double tolerated_instability = 5e-3;
 
 /// Particles of a backbone beyond which a factorization takes minutes and gigabytes.
@@ -33,13 +33,21 @@ Criterion criterion(const char* name, double value, double tolerance) {
     return {name, value, tolerance, value <= tolerance};
 }
 
+double mean_diameter_of_backbone(const Packing& packing, const Rattlers& rattlers) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < packing.diameters.size(); ++i)
+        if (rattlers.is_rattler[i] == 0) sum += packing.diameters[i];
+    return sum / static_cast<double>(rattlers.backbone_count());
+}
+
 /// -lambda, lambda the smallest eigenvalue of the Hessian of the network's backbone, over the mean
-/// pressure and the smallest diameter.
+/// pressure and the mean diameter of the spheres that bear it: what a contact's force does to a
+/// sphere that is about to buckle, however small the rattlers between are.
 double instability(const Packing& packing, const ForceNetwork& network, double pressure) {
     const EnthalpyHessian hessian =
         enthalpy_hessian(packing, network, network.rattlers.is_rattler, pressure);
-    const double smallest = *std::ranges::min_element(packing.diameters);
-    return -find_stability(hessian).smallest_eigenvalue / (pressure * smallest);
+    const double scale = pressure * mean_diameter_of_backbone(packing, network.rattlers);
+    return -find_stability(hessian).smallest_eigenvalue / scale;
 }
 
 /// Three contacts hold a particle only in their own plane: at rest it carries next to nothing, and

@@ -31,7 +31,7 @@ void take_sample(const Measurement& measurement, const StopSettings& stop, JamSt
 /// nothing. A quasi-static run is judged by pressure, Cundall parameter, contacts that miss to
 /// isostaticity, and stability of the backbone (up to 60,000 particles in a cell free in all
 /// components: its particles with four contacts or more and, if these give way, all of it; an
-/// eigenvalue below -5e-3 p D_min is unstable).
+/// eigenvalue below -5e-3 p D is unstable, D the mean diameter of these particles).
 /// Where stability is not asked for it reads unknown, and does not hold.
 Verdict judge(const Measurement& measurement, const JamState& state, const Scene& scene,
               bool ask_stability = true);

@@ -34,8 +34,10 @@ constexpr Count steps_between_looks = 10;
 constexpr double many_contacts = 10'000.0;
 /// Of the fastest, however far from balance forces are: every descent ends.
 constexpr double slowest_descent = 0.01;
-/// At a pressure that overlaps equal spheres by 1e-4.
+/// At a pressure that overlaps equal spheres by 1e-4; and the least share of the limit, which
+/// stands above the round-off of forces.
 constexpr double turn_at_full_limit = 1e-2;
+constexpr double least_limit = 0.1;
 
 // When Newton's method is worth a trial, and how long to relax at least before the next: one that
 // fails takes a tenth of the time so far at most, and what has failed is tried ever more rarely,
@@ -256,8 +258,8 @@ void QuasistaticRun::relax() {
 /// than it opens where the overlaps are small.
 void QuasistaticRun::descend() {
     const double turn = slowest_turn();
-    const double limit = settings_.descent.cundall * std::min(1.0, turn / turn_at_full_limit);
-    const double waiting = std::min(limit, turn);
+    const double share_of_limit = std::clamp(turn / turn_at_full_limit, least_limit, 1.0);
+    const double waiting = std::min(settings_.descent.cundall * share_of_limit, turn);
     const double balance = 1.0 - relaxation_->cundall() / waiting;
     const double share = balance > slowest_descent ? balance : slowest_descent;  // without contacts
     apply(state_.quasistatic.pressure * std::exp(-fastest_descent() * share));

@@ -98,6 +98,14 @@ TEST(Convergence, AnUnsupportedSphereAboutToBuckleIsNoStablePacking) {
     EXPECT_GT(stability.value, 0.01);
 }
 
+TEST(Convergence, HowSmallRattlersAreSaysNothingOfStability) {
+    FilledHole hole = filled_hole();
+    const double without = stability_of(hole.packing).value;
+    const Vec3 empty_hole = hole.center + Vec3(lattice_constant, 0.0, 0.0);
+    add(hole.packing, empty_hole, 0.01);
+    EXPECT_NEAR(stability_of(hole.packing).value / without, 1.0, 1e-6);
+}
+
 TEST(Convergence, AThreeContactSphereMayBeWhatSomethingLeansOn) {
     FilledHole hole = filled_hole();
     add_supporter(hole);

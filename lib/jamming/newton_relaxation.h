@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The last stretch to mechanical equilibrium: Newton's method on the enthalpy, for packings that
-// are nearly at rest. It ends at a true minimum, to round-off, in a few steps.
+// are nearly at rest. It ends in balance, to round-off, in a few steps; at a saddle if it began at
+// one.
 //
 // Each step minimises the enthalpy with its geometry made linear (contact_model.h), in which
 // contacts open and close; a plain Newton step would be cut short at the first that does. Where the
@@ -23,7 +24,7 @@ struct NewtonSettings {
 
 struct NewtonResult {
     bool tried = false;      ///< false: a factorization would have taken too long
-    bool converged = false;  ///< at a minimum: the curvature there is positive
+    bool converged = false;  ///< in balance; damped, so whether it stands is another question
     int steps = 0;
     int factorizations = 0;   ///< also of a descent that was given up
     double operations = 0.0;  ///< floating-point ones of one factorization
@@ -31,7 +32,7 @@ struct NewtonResult {
     double pressure_error = 0.0;
 };
 
-/// Moves particles and cell to the minimum nearby; where it is not reached they stay as they are.
+/// Moves particles and cell to the balance nearby; where it is not reached they stay as they are.
 /// It is given up early where two steps have not brought the damping down: somebody is about to
 /// buckle, and goes farther than the window. `candidates` must hold every pair within the window.
 /// Particles keep their places in the arrays, and no particle moves by more than the window, so the

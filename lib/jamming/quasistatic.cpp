@@ -283,9 +283,9 @@ void QuasistaticRun::finish() {
                       (steps >= steps_to_a_late_trial && cundall <= cundall_for_a_late_trial);
     const bool due = state_.step >= state_.quasistatic.next_trial ||
                      cundall <= nearer_for_a_trial * state_.quasistatic.trial_cundall;
-    const bool at_minimum = near && due && settings_.newton_serves && try_newton();
+    const bool balanced = near && due && settings_.newton_serves && try_newton();
     const Count interval = verdict_interval(steps, state_.step - state_.quasistatic.last_whole);
-    if (at_minimum || steps % interval == 0)
+    if (balanced || steps % interval == 0)
         state_.quasistatic.at_rest =
             relaxation_->cundall() <= settings_.stop.cundall &&
             pressure_error(state_.pressure, protocol_) <= settings_.stop.pressure;
@@ -326,12 +326,13 @@ void QuasistaticRun::climb() {
 bool QuasistaticRun::try_newton() {
     RelaxScratch& scratch = *relaxation_;
     const Count awake = scratch.active.awake_count();
-    settings_.newton.most_operations = affordable_operations(state_.step, awake);
+    NewtonSettings settings = settings_.newton;
+    settings.most_operations = affordable_operations(state_.step, awake);
     NewtonResult result;
     {
         const StageTimer timer(scratch.times, Stage::newton);
-        result = newton_relax(settings_.newton, scratch.lists.candidates,
-                              scratch.lists.smallest_diameter, state_.cell, state_.particles);
+        result = newton_relax(settings, scratch.lists.candidates, scratch.lists.smallest_diameter,
+                              state_.cell, state_.particles);
     }
     const Count steps_at_foot = state_.step - state_.quasistatic.foot_begin;
     const Count pause =

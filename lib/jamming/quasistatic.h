@@ -71,7 +71,7 @@ class QuasistaticRun {
     void leap_from_saddle();
     void look_whether_whole();
     void climb();
-    /// Whether it came to a minimum; says in the state when to try again.
+    /// Whether it came into balance; says in the state when to try again.
     bool try_newton();
     Mat3 pressure_now() const;
 

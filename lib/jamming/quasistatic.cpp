@@ -47,8 +47,8 @@ constexpr double cundall_for_a_late_trial = 1e-4;
 constexpr Count steps_to_a_late_trial = 10'000;
 constexpr Count steps_between_trials = 5'000;
 constexpr Count steps_between_trials_in_their_cost = 10;
-constexpr double nearer_for_a_trial = 0.1;      // than at the last
-constexpr double operations_of_a_step = 600.0;  // in a factorization's time, a particle awake
+constexpr double nearer_for_a_trial = 0.1;       // than at the last
+constexpr double operations_a_particle = 600.0;  // in a factorization's time, awake, in a step
 constexpr double factorizations_of_a_failure = 25.0;
 
 // How often to ask whether the relaxation has come to rest by itself: the answer takes a
@@ -90,18 +90,21 @@ Count verdict_interval(Count steps_at_foot, Count steps_at_rest) {
            static_cast<Count>(std::bit_floor(static_cast<std::uint64_t>(lengths)));
 }
 
+/// Those of a factorization in the time of a step.
+double operations_of_a_step(Count awake) {
+    return operations_a_particle * static_cast<double>(std::max(awake, Count{1}));
+}
+
 /// What one factorization may take, so that a failure takes a tenth of the time of so many steps.
 double affordable_operations(Count steps, Count awake) {
     const Count tenth = std::max(steps_between_trials, steps / steps_between_trials_in_their_cost);
-    return operations_of_a_step * static_cast<double>(tenth * std::max(awake, Count{1})) /
-           factorizations_of_a_failure;
+    return static_cast<double>(tenth) * operations_of_a_step(awake) / factorizations_of_a_failure;
 }
 
 /// Steps that would have taken the time of these factorizations.
 Count cost_in_steps(const NewtonResult& newton, Count awake) {
-    return static_cast<Count>(
-        newton.factorizations * newton.operations /
-        (operations_of_a_step * static_cast<double>(std::max(awake, Count{1}))));
+    return static_cast<Count>(newton.factorizations * newton.operations /
+                              operations_of_a_step(awake));
 }
 
 /// Particles and cell, with lists to be made anew.

@@ -44,8 +44,8 @@ class QuasistaticRun {
 
     /// Lists and forces, for a new state or one from a checkpoint.
     void begin();
-    /// One step: of compaction or of relaxation, and where Newton's method reaches a minimum all of
-    /// it (as many steps as it took factorizations).
+    /// One step: of compaction or of relaxation, and where Newton's method comes into balance all
+    /// of it (as many steps as it took factorizations).
     void advance();
     /// As far as forces and stress tell (QuasistaticState); the verdict decides.
     bool at_rest() const { return state_.quasistatic.at_rest; }

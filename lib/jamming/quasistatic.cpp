@@ -32,8 +32,10 @@ constexpr Count steps_between_looks = 10;
 // contacts than this there are fewer to pass, and the pressure may fall faster by as much; but not
 // faster than the slowest of them turns over.
 constexpr double many_contacts = 10'000.0;
-/// Of the fastest, however far from balance forces are: every descent ends.
+/// Of the fastest, however far from balance forces are, where the limit does not fall.
 constexpr double slowest_descent = 0.01;
+/// The same of the rise where it falls, at twice the limit and beyond.
+constexpr double fastest_rise = 0.3;
 /// At a pressure that overlaps equal spheres by 1e-4; and the least share of the limit, which
 /// stands above the round-off of forces.
 constexpr double turn_at_full_limit = 1e-2;
@@ -114,6 +116,13 @@ void bring_to_standstill(JamState& state) {
     state.list_reference = {};
 }
 
+/// Of the fastest descent, negative for a rise; `left` is the share of the limit that balance
+/// leaves, not a number without contacts.
+double share_of_descent(double left, bool may_rise) {
+    if (may_rise && left < 0.0) return fastest_rise * std::max(left, -1.0);
+    return left > slowest_descent ? left : slowest_descent;
+}
+
 bool is_isotropic(const Mat3& pressure) {
     return pressure == Mat3(Mat3::Identity() * pressure(0, 0));
 }
@@ -147,6 +156,7 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
                                        settings.applied_pressure);
     settings.climbed_pressure = std::min(std::max(automatic, settings.first_pressure),
                                          climb_in_pressure * settings.applied_pressure);
+    settings.highest_pressure = std::max(settings.first_pressure, settings.climbed_pressure);
 
     Scene compaction = scene;
     compaction.protocol.masses = Masses::diameter;
@@ -250,22 +260,33 @@ void QuasistaticRun::apply(double pressure) {
 
 void QuasistaticRun::relax() {
     relax_step(state_, settings_.relax, *relaxation_);
-    if (!at_foot())
-        descend();
+    if (!at_foot() || (may_rise() && left_to_limit() < 0.0))
+        follow_balance();
     else if ((state_.step - state_.quasistatic.foot_begin) % steps_between_looks == 0)
         finish();
 }
 
-/// What is out of balance slows the fall, and at its limit all but stops it: a limit that falls
-/// with the pressure, since a network that flows at a share of its forces closes fewer contacts
-/// than it opens where the overlaps are small.
-void QuasistaticRun::descend() {
+/// What is out of balance slows the fall, and at its limit stops it.
+void QuasistaticRun::follow_balance() {
+    const double share = share_of_descent(left_to_limit(), may_rise());
+    const double pressure = state_.quasistatic.pressure * std::exp(-fastest_descent() * share);
+    apply(std::min(pressure, settings_.highest_pressure));
+}
+
+/// The limit falls with the pressure, since a network that flows at a share of its forces closes
+/// fewer contacts than it opens where the overlaps are small.
+double QuasistaticRun::left_to_limit() const {
     const double turn = slowest_turn();
     const double share_of_limit = std::clamp(turn / turn_at_full_limit, least_limit, 1.0);
-    const double waiting = std::min(settings_.descent.cundall * share_of_limit, turn);
-    const double balance = 1.0 - relaxation_->cundall() / waiting;
-    const double share = balance > slowest_descent ? balance : slowest_descent;  // without contacts
-    apply(state_.quasistatic.pressure * std::exp(-fastest_descent() * share));
+    const double limit = std::min(settings_.descent.cundall * share_of_limit, turn);
+    return 1.0 - relaxation_->cundall() / limit;
+}
+
+/// Where the limit falls: an event ends the sooner the harder it is pressed, and the network that
+/// it leaves behind is whole.
+bool QuasistaticRun::may_rise() const {
+    return slowest_turn() < turn_at_full_limit &&
+           state_.quasistatic.pressure < settings_.highest_pressure;
 }
 
 double QuasistaticRun::slowest_turn() const {

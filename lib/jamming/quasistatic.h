@@ -4,8 +4,8 @@
 //
 // The jammed state does not remember inertia, so none is needed to find it. What is near balance
 // follows a falling pressure and keeps its network; what loses it is slow to find another. So the
-// pressure falls the faster the nearer to balance forces are, and waits where they are not. At the
-// foot Newton's method ends what the relaxation has begun.
+// pressure falls the faster the nearer to balance forces are, waits where they are not, and where
+// it is low rises until they are. At the foot Newton's method ends what the relaxation has begun.
 #pragma once
 
 #include "jamming/newton_relaxation.h"
@@ -24,6 +24,7 @@ struct QuasistaticSettings {
     StopSettings stop;
     double first_pressure = 0.0;    ///< mean pressure from which the descent begins
     double climbed_pressure = 0.0;  ///< from where it begins anew
+    double highest_pressure = 0.0;  ///< up to where it may rise on the way
     double applied_pressure = 0.0;  ///< mean pressure at its foot
     bool newton_serves = false;     ///< isotropic pressure, cell free in all components
 };
@@ -62,7 +63,9 @@ class QuasistaticRun {
     /// Mean pressure; the applied one if it is less.
     void apply(double pressure);
     void relax();
-    void descend();
+    void follow_balance();
+    double left_to_limit() const;
+    bool may_rise() const;
     /// Of buckling, in the metric's units of time.
     double slowest_turn() const;
     /// Of the pressure, of itself a step; half as fast each time that the descent begins anew.

@@ -283,10 +283,10 @@ double QuasistaticRun::left_to_limit() const {
 }
 
 /// Where the limit falls: an event ends the sooner the harder it is pressed, and the network that
-/// it leaves behind is whole.
+/// it leaves behind is whole. Small packings, of few events, would go up and down without end.
 bool QuasistaticRun::may_rise() const {
-    return slowest_turn() < turn_at_full_limit &&
-           state_.quasistatic.pressure < settings_.highest_pressure;
+    return slowest_turn()<turn_at_full_limit&& static_cast<double>(relaxation_->sums.contacts)>
+               many_contacts && state_.quasistatic.pressure < settings_.highest_pressure;
 }
 
 double QuasistaticRun::slowest_turn() const {

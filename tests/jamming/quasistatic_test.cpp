@@ -148,24 +148,6 @@ TEST(Quasistatic, LeapsFromSaddlesWithTheSameBitsWhereverItWasStopped) {
     EXPECT_EQ(bits_of(checkpoint.state), bits_of(whole));
 }
 
-TEST(Quasistatic, PressureRisesWhereForcesAreOutOfBalanceAndOverlapsSmall) {
-    Scene scene = small_scene(60);
-    scene.protocol.pressure = Mat3::Identity() * 1e-6;
-    JamState state = start_state(scene);
-    QuasistaticRun run(scene, state);
-    run.begin();
-    bool rises_where_small = false;
-    double before = state.quasistatic.pressure;
-    for (int k = 0; k < 60'000 && !run.at_rest(); ++k) {
-        run.advance();
-        const double now = state.quasistatic.pressure;
-        EXPECT_FALSE(now > before && before >= 1e-4) << "step " << state.step;
-        rises_where_small = rises_where_small || (now > before && before < 1e-4);
-        before = now;
-    }
-    EXPECT_TRUE(rises_where_small);
-}
-
 TEST(Quasistatic, BeginsLowerWhereSizesAreWide) {
     const auto first_pressure = [](double size_ratio, ContactLaw law) {
         Scene scene = small_scene(2000);

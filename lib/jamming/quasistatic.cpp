@@ -32,13 +32,13 @@ constexpr Count steps_between_looks = 10;
 // contacts than this there are fewer to pass, and the pressure may fall faster by as much; but not
 // faster than the slowest of them turns over.
 constexpr double many_contacts = 10'000.0;
-/// Of the fastest, however far from balance forces are, where the limit does not fall.
+/// Of the fastest, however far from balance forces are, where the pressure may not rise.
 constexpr double slowest_descent = 0.01;
-/// The same of the rise where it falls, at twice the limit and beyond.
+/// Of the fastest descent, at twice the limit and beyond, where it may.
 constexpr double fastest_rise = 0.3;
-/// At a pressure that overlaps equal spheres by 1e-4; and the least share of the limit, which
-/// stands above the round-off of forces.
+/// At a pressure that overlaps equal spheres by 1e-4.
 constexpr double turn_at_full_limit = 1e-2;
+/// Of the full one; it stands above the round-off of forces.
 constexpr double least_limit = 0.1;
 
 // When Newton's method is worth a trial, and how long to relax at least before the next: one that
@@ -266,7 +266,7 @@ void QuasistaticRun::relax() {
         finish();
 }
 
-/// What is out of balance slows the fall, and at its limit stops it.
+/// What is out of balance slows the fall, and at its limit all but stops it or turns it round.
 void QuasistaticRun::follow_balance() {
     const double share = share_of_descent(left_to_limit(), may_rise());
     const double pressure = state_.quasistatic.pressure * std::exp(-fastest_descent() * share);
@@ -285,8 +285,9 @@ double QuasistaticRun::left_to_limit() const {
 /// Where the limit falls: an event ends the sooner the harder it is pressed, and the network that
 /// it leaves behind is whole. Small packings, of few events, would go up and down without end.
 bool QuasistaticRun::may_rise() const {
-    return slowest_turn()<turn_at_full_limit&& static_cast<double>(relaxation_->sums.contacts)>
-               many_contacts && state_.quasistatic.pressure < settings_.highest_pressure;
+    const bool limit_falls = slowest_turn() < turn_at_full_limit;
+    const bool large = static_cast<double>(relaxation_->sums.contacts) > many_contacts;
+    return limit_falls && large && state_.quasistatic.pressure < settings_.highest_pressure;
 }
 
 double QuasistaticRun::slowest_turn() const {

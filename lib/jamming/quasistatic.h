@@ -64,6 +64,7 @@ class QuasistaticRun {
     void apply(double pressure);
     void relax();
     void follow_balance();
+    /// Share of the Cundall parameter's limit; negative beyond it.
     double left_to_limit() const;
     bool may_rise() const;
     /// Of buckling, in the metric's units of time.

@@ -148,6 +148,29 @@ TEST(Quasistatic, LeapsFromSaddlesWithTheSameBitsWhereverItWasStopped) {
     EXPECT_EQ(bits_of(checkpoint.state), bits_of(whole));
 }
 
+/// Factor by which one step changes the pressure of a random start far from balance.
+double change_of_pressure(Count count, double pressure) {
+    Scene scene = small_scene(count);
+    scene.protocol.pressure = Mat3::Identity() * 1e-6;
+    JamState state = start_state(scene);
+    state.cell = PeriodicCell(0.78 * state.cell.matrix());
+    state.quasistatic.stage = QuasistaticState::Stage::relaxation;
+    state.quasistatic.pressure = pressure;
+    QuasistaticRun run(scene, state);
+    run.begin();
+    run.advance();
+    return state.quasistatic.pressure / pressure;
+}
+
+TEST(Quasistatic, OnlyLargePackingsOfSmallOverlapsRiseWhereForcesAreOutOfBalance) {
+    constexpr Count small = 250;
+    constexpr Count large = 8000;
+    EXPECT_GT(change_of_pressure(large, 5e-5), 1.0);
+    EXPECT_GT(change_of_pressure(large, 1e-6), 1.0) << "at the foot, too";
+    EXPECT_LT(change_of_pressure(large, 2e-4), 1.0);
+    EXPECT_LT(change_of_pressure(small, 5e-5), 1.0);
+}
+
 TEST(Quasistatic, BeginsLowerWhereSizesAreWide) {
     const auto first_pressure = [](double size_ratio, ContactLaw law) {
         Scene scene = small_scene(2000);

@@ -34,13 +34,13 @@ std::string line(std::string_view label, const std::string& value, const std::st
     return fmt::format("  {:<22}{:<14}{}\n", label, value, note);
 }
 
-/// The stricter test speaks of forces in balance: where they are not, one particle after the other
-/// falls.
+/// The stricter test speaks of forces in balance: where the weakest are not, one particle after the
+/// other falls.
 std::string unheld_words(const PackingStatistics& s) {
     if (s.unheld_count < s.particle_count)
         return fmt::format("{} by the stricter test: not held from all sides",
                            grouped(s.unheld_count));
-    return "the stricter test leaves none: the contacts do not balance, one falls after the other";
+    return "the stricter test leaves none: one leans to one side, and takes the next with it";
 }
 
 std::string contacts_lines(const PackingStatistics& s) {
@@ -144,11 +144,12 @@ ordered_json elasticity_json(const Elasticity& e) {
 }
 
 std::string elasticity_table(const Elasticity& e) {
-    if (e.particle_count == 0) return line("elasticity", "-", "no particle is held from all sides");
-    std::string text = line(
-        "stable", e.stability.stable ? "yes" : "no",
-        fmt::format("smallest eigenvalue {:.3g} of {} particles held from all sides and the cell",
-                    e.stability.smallest_eigenvalue, grouped(e.particle_count)));
+    if (e.particle_count == 0)
+        return line("elasticity", "-", "no particle is held by four contacts");
+    std::string text =
+        line("stable", e.stability.stable ? "yes" : "no",
+             fmt::format("smallest eigenvalue {:.3g} of {} particles that four hold and the cell",
+                         e.stability.smallest_eigenvalue, grouped(e.particle_count)));
     text += line("bulk modulus", number_or_dash(e.moduli.bulk),
                  fmt::format("shear modulus {}", number_or_dash(e.moduli.shear)));
     return text;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "analysis/elasticity.h"
 
+#include "analysis/rattlers.h"
 #include "analysis/static_stress.h"
-#include "analysis/unheld.h"
 #include "core/check.h"
 
 namespace jam {
@@ -21,7 +21,7 @@ double mean_pressure_among(const Packing& packing, const ForceNetwork& network,
 
 Elasticity find_elasticity(const Packing& packing, const ForceNetwork& network,
                            Count most_particles) {
-    const Rattlers held = find_unheld(network.contacts, network.rows);
+    const Rattlers held = find_rattlers(network.contacts, network.rows, contacts_that_hold);
     Elasticity result;
     result.particle_count = held.backbone_count();
     require(result.particle_count <= most_particles,

@@ -113,9 +113,8 @@ std::string vector_words(const Eigen::RowVector3d& v) {
 
 std::string unheld_words(const PackingStatistics& s) {
     if (s.unheld_count == s.particle_count)
-        return "all, if contacts must surround a particle: forces do not balance yet, and where "
-               "one "
-               "falls others follow";
+        return "all, if contacts must surround a particle: where the weakest forces do not balance "
+               "yet one falls, and others follow";
     return fmt::format(
         "{} ({}), if the contacts must surround a particle", grouped(s.unheld_count),
         percent(static_cast<double>(s.unheld_count) / static_cast<double>(s.particle_count)));

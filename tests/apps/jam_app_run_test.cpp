@@ -121,6 +121,21 @@ TEST_F(JamAppRun, WhatHasConvergedBetweenTwoRecordsStaysWhereItIs) {
     EXPECT_EQ(after.positions, before.positions);
 }
 
+TEST_F(JamAppRun, NamesTheOneCriterionThatIsMissing) {
+    const auto run_to = [&](const char* max_steps, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"--set", "protocol.kind=quasistatic",
+                                              "--set", "stop.stability=false",
+                                              "--set", "stop.cundall=1e-300",
+                                              "--set", std::string("stop.max_steps=") + max_steps};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run("waits", arguments);
+    };
+    ASSERT_EQ(run_to("6000", {}).status, 3);
+    const ProgramRun resumed = run_to("7000", {"--resume"});
+    ASSERT_EQ(resumed.status, 3);
+    EXPECT_NE(resumed.out.find("1 of 2 criteria, cundall "), std::string::npos) << resumed.out;
+}
+
 TEST_F(JamAppRun, BadInputWritesNothing) {
     const ProgramRun bad = run("bad", {"--set", "sizes.size_ratio=-3"});
     EXPECT_EQ(bad.status, 2);

@@ -251,8 +251,6 @@ void QuasistaticRun::begin_descent() {
 void QuasistaticRun::apply(double pressure) {
     state_.quasistatic.pressure = std::max(pressure, settings_.applied_pressure);
     state_.quasistatic.foot_begin = state_.step;
-    state_.quasistatic.next_trial = state_.step;
-    state_.quasistatic.trial_cundall = 0.0;
     state_.quasistatic.last_whole = state_.step;
     state_.quasistatic.leap = {};
     settings_.relax.pressure = pressure_now();
@@ -345,6 +343,8 @@ void QuasistaticRun::look_whether_whole() {
 void QuasistaticRun::climb() {
     if (settings_.climbed_pressure <= settings_.applied_pressure) return;
     ++state_.quasistatic.retreats;
+    state_.quasistatic.next_trial = state_.step;
+    state_.quasistatic.trial_cundall = 0.0;
     apply(settings_.climbed_pressure);
 }
 

@@ -116,8 +116,9 @@ void bring_to_standstill(JamState& state) {
     state.list_reference = {};
 }
 
-/// Of the fastest descent, negative for a rise; `left` is the share of the limit that balance
-/// leaves, not a number without contacts.
+/// Of the fastest descent, negative for a rise: what is out of balance slows the fall, and at its
+/// limit all but stops it or turns it round. `left` is the share of the limit that balance leaves,
+/// not a number without contacts.
 double share_of_descent(double left, bool may_rise) {
     if (may_rise && left < 0.0) return fastest_rise * std::max(left, -1.0);
     return left > slowest_descent ? left : slowest_descent;
@@ -156,7 +157,6 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
                                        settings.applied_pressure);
     settings.climbed_pressure = std::min(std::max(automatic, settings.first_pressure),
                                          climb_in_pressure * settings.applied_pressure);
-    settings.highest_pressure = std::max(settings.first_pressure, settings.climbed_pressure);
 
     Scene compaction = scene;
     compaction.protocol.masses = Masses::diameter;
@@ -258,17 +258,20 @@ void QuasistaticRun::apply(double pressure) {
 
 void QuasistaticRun::relax() {
     relax_step(state_, settings_.relax, *relaxation_);
-    if (!at_foot() || (may_rise() && left_to_limit() < 0.0))
-        follow_balance();
+    const double share = share_of_descent(left_to_limit(), may_rise());
+    if (!at_foot() || share < 0.0)
+        descend(share);
     else if ((state_.step - state_.quasistatic.foot_begin) % steps_between_looks == 0)
         finish();
 }
 
-/// What is out of balance slows the fall, and at its limit all but stops it or turns it round.
-void QuasistaticRun::follow_balance() {
-    const double share = share_of_descent(left_to_limit(), may_rise());
+void QuasistaticRun::descend(double share) {
     const double pressure = state_.quasistatic.pressure * std::exp(-fastest_descent() * share);
-    apply(std::min(pressure, settings_.highest_pressure));
+    apply(std::min(pressure, highest_pressure()));
+}
+
+double QuasistaticRun::highest_pressure() const {
+    return std::max(settings_.first_pressure, settings_.climbed_pressure);
 }
 
 /// The limit falls with the pressure, since a network that flows at a share of its forces closes
@@ -285,7 +288,7 @@ double QuasistaticRun::left_to_limit() const {
 bool QuasistaticRun::may_rise() const {
     const bool limit_falls = slowest_turn() < turn_at_full_limit;
     const bool large = static_cast<double>(relaxation_->sums.contacts) > many_contacts;
-    return limit_falls && large && state_.quasistatic.pressure < settings_.highest_pressure;
+    return limit_falls && large && state_.quasistatic.pressure < highest_pressure();
 }
 
 double QuasistaticRun::slowest_turn() const {

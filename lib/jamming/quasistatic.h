@@ -24,7 +24,6 @@ struct QuasistaticSettings {
     StopSettings stop;
     double first_pressure = 0.0;    ///< mean pressure from which the descent begins
     double climbed_pressure = 0.0;  ///< from where it begins anew
-    double highest_pressure = 0.0;  ///< up to where it may rise on the way
     double applied_pressure = 0.0;  ///< mean pressure at its foot
     bool newton_serves = false;     ///< isotropic pressure, cell free in all components
 };
@@ -63,7 +62,10 @@ class QuasistaticRun {
     /// Mean pressure; the applied one if it is less.
     void apply(double pressure);
     void relax();
-    void follow_balance();
+    /// By a share of the fastest descent; up where it is negative.
+    void descend(double share);
+    /// Up to where it may rise.
+    double highest_pressure() const;
     /// Share of the Cundall parameter's limit; negative beyond it.
     double left_to_limit() const;
     bool may_rise() const;

@@ -93,10 +93,7 @@ TEST(FindUnheld, CrystalsHold) {
 }
 
 TEST(FindUnheld, ASlabFallsLayerByLayer) {
-    // A simple cubic crystal with free surfaces: the outer layers have five contacts on one side,
-    // and once they are gone the next ones.
-    Packing slab = simple_cubic(3, 0.99, 1.0);
-    slab.cell = PeriodicCell(Vec3(2.97, 2.97, 9.0).asDiagonal());
+    const Packing slab = cubic_slab();
     EXPECT_EQ(unheld_of(slab).rattler_count, 27);
     const std::vector<Contact> contacts = find_contacts(slab);
     EXPECT_EQ(find_rattlers(contacts, contact_rows(27, contacts), 5).rattler_count, 0);

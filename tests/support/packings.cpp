@@ -45,6 +45,12 @@ Packing simple_cubic(int cells, double lattice_constant, double diameter) {
     return crystal(cells, lattice_constant, diameter, {Vec3(0, 0, 0)});
 }
 
+Packing cubic_slab() {
+    Packing slab = simple_cubic(3, 0.99, 1.0);
+    slab.cell = PeriodicCell(Vec3(2.97, 2.97, 9.0).asDiagonal());
+    return slab;
+}
+
 Packing face_centered_cubic(int cells, double lattice_constant, double diameter) {
     return crystal(cells, lattice_constant, diameter,
                    {Vec3(0, 0, 0), Vec3(0, 0.5, 0.5), Vec3(0.5, 0, 0.5), Vec3(0.5, 0.5, 0)});

@@ -17,6 +17,9 @@ Packing make_packing(const Mat3& edges_in_columns, std::vector<Vec3> positions,
 /// `cells`^3 unit cells of side `lattice_constant`, spheres of one diameter.
 Packing simple_cubic(int cells, double lattice_constant, double diameter);
 Packing face_centered_cubic(int cells, double lattice_constant, double diameter);
+/// A simple cubic crystal of 27 spheres with free surfaces: the outer layers have five contacts on
+/// one side, and once they are gone so have the next ones.
+Packing cubic_slab();
 
 /// Restricted triclinic edges of volume about side^3, tilts up to half an edge.
 Mat3 random_edges(double side, std::uint64_t seed);

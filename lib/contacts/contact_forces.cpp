@@ -47,75 +47,106 @@ class TileForces {
           gradient_(velocity_gradient),
           s_(scratch) {}
 
-    ContactSums evaluate(const ContactTile& tile, const Particles& particles, Load* loads,
-                         Load* slots) {
-        gather_participants(tile, particles);
-        const std::size_t contacts = find_contacts(tile);
+    /// Of a tile or of what is live of one.
+    template <typename Tile>
+    ContactSums evaluate(const Tile& tile, const Particles& particles, Load* loads, Load* slots) {
+        gather_participants(tile.participants, particles);
+        const std::size_t contacts = find_contacts(tile.pairs);
         if constexpr (damped) find_closing_speeds(contacts);
         ContactSums sums = find_forces(contacts);
         add_forces(contacts);
-        write_loads(tile, loads, slots);
+        write_own_loads(tile, loads);
+        write_slots(tile, slots);
         return sums;
     }
 
-  private:
-    static std::size_t particle_of(const ContactTile& tile, std::size_t participant) {
-        return static_cast<std::size_t>(tile.participants[participant].particle());
+    /// After evaluate: those of the tile that touch another and are not stirred.
+    void find_woken(const LiveTile& tile, const ContactSums& sums,
+                    std::vector<Index>& woken) const {
+        woken.clear();
+        const auto look_at = [&](std::uint16_t p) {
+            if (!tile.is_stirred[p]) woken.push_back(tile.participants[p].particle());
+        };
+        for (std::size_t c = 0; c < static_cast<std::size_t>(sums.contacts); ++c) {
+            look_at(s_.contacts[c].first);
+            look_at(s_.contacts[c].second);
+        }
     }
 
-    void gather_participants(const ContactTile& tile, const Particles& particles) {
-        const std::size_t count = tile.participants.size();
+  private:
+    static std::size_t particle_of(Neighbor participant) {
+        return static_cast<std::size_t>(participant.particle());
+    }
+
+    void gather_participants(std::span<const Neighbor> participants, const Particles& particles) {
+        const std::size_t count = participants.size();
         grow(s_.spheres, count);
         s_.loads.assign(count, Load{Vec3::Zero(), 0.0});
         if constexpr (damped) grow(s_.motions, count);
         const auto expect = [&](std::size_t p) {
-            expect_read(particles.spheres[particle_of(tile, p)]);
+            expect_read(particles.spheres[particle_of(participants[p])]);
         };
         for_each_expected(0, count, expect, [&](std::size_t p) {
-            const std::size_t particle = particle_of(tile, p);
-            const Double4 sphere = load4(particles.spheres[particle]) +
-                                   load4(image_shifts[tile.participants[p].image()]);
+            const std::size_t particle = particle_of(participants[p]);
+            const Double4 sphere =
+                load4(particles.spheres[particle]) + load4(image_shifts[participants[p].image()]);
             store4(with_fourth_of(to_cartesian_(sphere), sphere), s_.spheres[p]);
             if constexpr (damped) s_.motions[p] = particles.motions[particle];
         });
     }
 
+    /// Where the next contacts go: pointers of its own, which nothing that is written can change.
+    struct Packing {
+        const Sphere* spheres;
+        double *x, *y, *z, *distance, *reach, *diameter_first;
+        TilePair* contacts;
+
+        /// Appends those of up to four pairs that overlap, and returns how many contacts there are
+        /// then; what is behind them is overwritten.
+        std::size_t pack(const TilePair* pairs, int count, std::size_t end) const {
+            const Columns4 r = transposed({separation(pairs[0]), separation(pairs[1]),
+                                           separation(pairs[2]), separation(pairs[3])});
+            const Double4 squared = r.x * r.x + r.y * r.y + r.z * r.z;
+            const Double4 sum_of_radii = 0.5 * r.w;
+            const unsigned touching =
+                bits_of(squared < sum_of_radii * sum_of_radii) & bits_of_first(count);
+            store_packed(r.x, touching, x + end);
+            store_packed(r.y, touching, y + end);
+            store_packed(r.z, touching, z + end);
+            store_packed(squared, touching, distance + end);
+            store_packed(sum_of_radii, touching, reach + end);
+            for (unsigned k = 0; k < 4; ++k) {
+                if constexpr (needs_diameters)
+                    diameter_first[end] = spheres[pairs[k].first].diameter;
+                contacts[end] = pairs[k];
+                end += touching >> k & 1u;
+            }
+            return end;
+        }
+
+        /// From the second center to the first, and the sum of the diameters.
+        Double4 separation(const TilePair& pair) const {
+            constexpr Double4 add_diameters = {1.0, 1.0, 1.0, -1.0};
+            return load4(spheres[pair.first]) - add_diameters * load4(spheres[pair.second]);
+        }
+    };
+
     /// Pairs that overlap, packed.
-    std::size_t find_contacts(const ContactTile& tile) {
-        const std::size_t pairs = tile.pairs.size();
-        reserve(pairs + lanes);
+    std::size_t find_contacts(std::span<const TilePair> pairs) {
+        reserve(pairs.size() + lanes);
+        const Packing packing = {s_.spheres.data(),
+                                 s_.x.data(),
+                                 s_.y.data(),
+                                 s_.z.data(),
+                                 s_.distance.data(),
+                                 s_.reach.data(),
+                                 s_.diameter_first.data(),
+                                 s_.contacts.data()};
         std::size_t contacts = 0;
-        for_each_four(std::span(tile.pairs), [&](const TilePair* four, int count) {
-            contacts = pack_contacts(four, count, contacts);
+        for_each_four(pairs, [packing, &contacts](const TilePair* four, int count) {
+            contacts = packing.pack(four, count, contacts);
         });
         return contacts;
-    }
-
-    /// Appends those of up to four pairs that overlap; what is behind them is overwritten.
-    std::size_t pack_contacts(const TilePair* pairs, int count, std::size_t contacts) {
-        const Columns4 r = transposed({separation(pairs[0]), separation(pairs[1]),
-                                       separation(pairs[2]), separation(pairs[3])});
-        const Double4 squared = r.x * r.x + r.y * r.y + r.z * r.z;
-        const Double4 reach = 0.5 * r.w;
-        const unsigned touching = bits_of(squared < reach * reach) & bits_of_first(count);
-        store_packed(r.x, touching, &s_.x[contacts]);
-        store_packed(r.y, touching, &s_.y[contacts]);
-        store_packed(r.z, touching, &s_.z[contacts]);
-        store_packed(squared, touching, &s_.distance[contacts]);
-        store_packed(reach, touching, &s_.reach[contacts]);
-        for (unsigned k = 0; k < 4; ++k) {
-            if constexpr (needs_diameters)
-                s_.diameter_first[contacts] = s_.spheres[pairs[k].first].diameter;
-            s_.contacts[contacts] = pairs[k];
-            contacts += touching >> k & 1u;
-        }
-        return contacts;
-    }
-
-    /// From the second center to the first, and the sum of the diameters.
-    Double4 separation(const TilePair& pair) const {
-        constexpr Double4 add_diameters = {1.0, 1.0, 1.0, -1.0};
-        return load4(s_.spheres[pair.first]) - add_diameters * load4(s_.spheres[pair.second]);
     }
 
     /// What is in front stays; to shrink and grow again would fill it with zeros each time.
@@ -224,12 +255,24 @@ class TileForces {
         }
     }
 
-    void write_loads(const ContactTile& tile, Load* loads, Load* slots) const {
-        const auto own = static_cast<std::size_t>(tile.own_count);
+    template <typename Tile>
+    void write_own_loads(const Tile& tile, Load* loads) const {
+        const auto load_of = [&](std::size_t p) -> Load& {
+            return loads[particle_of(tile.participants[p])];
+        };
         for_each_expected(
-            0, own, [&](std::size_t p) { expect_write(loads[particle_of(tile, p)]); },
-            [&](std::size_t p) { store4(load4(s_.loads[p]), loads[particle_of(tile, p)]); });
+            0, static_cast<std::size_t>(tile.own_count),
+            [&](std::size_t p) { expect_write(load_of(p)); },
+            [&](std::size_t p) { store4(load4(s_.loads[p]), load_of(p)); });
+    }
+
+    void write_slots(const ContactTile& tile, Load* slots) const {
         std::copy(s_.loads.begin() + tile.own_count, s_.loads.end(), slots + tile.first_slot);
+    }
+
+    void write_slots(const LiveTile& tile, Load* slots) const {
+        for (std::size_t k = 0; k < tile.slots.size(); ++k)
+            slots[tile.slots[k]] = s_.loads[static_cast<std::size_t>(tile.own_count) + k];
     }
 
     static constexpr bool needs_diameters = std::is_same_v<Law, Hertz>;
@@ -241,24 +284,34 @@ class TileForces {
     ForceScratch::Thread& s_;
 };
 
+/// Sum over tiles of sum_of(t, forces, memory of the thread).
+template <typename Law, bool damped, typename SumOfTile>
+ContactSums sum_tiles(const PeriodicCell& cell, const Law& law, double damping,
+                      const Mat3& velocity_gradient, std::size_t tile_count, ForceScratch& scratch,
+                      SumOfTile&& sum_of) {
+    scratch.sums_of_tile.resize(tile_count);
+    for_each_block(static_cast<Count>(tile_count), 1, [&](Count at, Count, Count) {
+        const auto t = static_cast<std::size_t>(at);
+        ForceScratch::Thread& of_thread = scratch.threads.local();
+        TileForces<Law, damped> forces(cell, law, damping, velocity_gradient, of_thread);
+        scratch.sums_of_tile[t] = sum_of(t, forces, of_thread);
+    });
+    ContactSums sums;
+    for (const ContactSums& of_tile : scratch.sums_of_tile) sums += of_tile;
+    return sums;
+}
+
 template <typename Law, bool damped>
 ContactSums forces_over_tiles(const PeriodicCell& cell, const Law& law, double damping,
                               const Mat3& velocity_gradient, const ContactTiles& tiles,
                               const Particles& particles, std::vector<Load>& loads,
                               ForceScratch& scratch) {
-    const auto count = static_cast<Count>(tiles.tiles.size());
     scratch.slots.resize(static_cast<std::size_t>(tiles.slot_count));
-    scratch.sums_of_tile.resize(tiles.tiles.size());
-    for_each_block(count, 1, [&](Count at, Count, Count) {
-        const auto t = static_cast<std::size_t>(at);
-        TileForces<Law, damped> forces(cell, law, damping, velocity_gradient,
-                                       scratch.threads.local());
-        scratch.sums_of_tile[t] =
-            forces.evaluate(tiles.tiles[t], particles, loads.data(), scratch.slots.data());
-    });
-    ContactSums sums;
-    for (const ContactSums& of_tile : scratch.sums_of_tile) sums += of_tile;
-    return sums;
+    const auto sum_of = [&](std::size_t t, auto& forces, ForceScratch::Thread&) {
+        return forces.evaluate(tiles.tiles[t], particles, loads.data(), scratch.slots.data());
+    };
+    return sum_tiles<Law, damped>(cell, law, damping, velocity_gradient, tiles.tiles.size(),
+                                  scratch, sum_of);
 }
 
 }  // namespace
@@ -282,6 +335,35 @@ ContactSums contact_forces(const PeriodicCell& cell, const Material& material,
         return run(cell, law, material.damping, flow.velocity_gradient, tiles, particles, loads,
                    scratch);
     });
+}
+
+ContactSums live_contact_forces(const PeriodicCell& cell, const Material& material,
+                                const ContactTiles& tiles, std::span<const char> stirred,
+                                const Particles& particles, std::vector<Load>& loads,
+                                ForceScratch& scratch) {
+    const auto sum_of = [&](std::size_t t, auto& forces, ForceScratch::Thread& of_thread) {
+        LiveTile& live = scratch.live_tiles[t];
+        renew_live_tile(tiles.tiles[t], stirred, of_thread.live, live);
+        const ContactSums sums =
+            forces.evaluate(live, particles, loads.data(), scratch.slots.data());
+        forces.find_woken(live, sums, scratch.woken_of_tile[t]);
+        return sums;
+    };
+    return with_elastic_law(material, [&](const auto& law) {
+        return sum_tiles<std::decay_t<decltype(law)>, false>(cell, law, 0.0, Mat3::Zero(),
+                                                             tiles.tiles.size(), scratch, sum_of);
+    });
+}
+
+/// Slots of who is not looked at stay zero.
+void begin_live_tiles(const ContactTiles& tiles, ForceScratch& scratch) {
+    scratch.slots.assign(static_cast<std::size_t>(tiles.slot_count), Load{Vec3::Zero(), 0.0});
+    scratch.live_tiles.resize(tiles.tiles.size());
+    scratch.woken_of_tile.resize(tiles.tiles.size());
+    for (LiveTile& live : scratch.live_tiles) {
+        live.stirred = -1;
+        live.whole = false;
+    }
 }
 
 void add_halo_loads(const ContactTiles& tiles, Count block, const std::vector<Load>& slots,

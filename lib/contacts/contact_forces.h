@@ -4,10 +4,11 @@
 
 #include "cell/periodic_cell.h"
 #include "core/parallel.h"
-#include "neighbors/contact_tiles.h"
+#include "neighbors/live_tile.h"
 #include "particles/material.h"
 #include "particles/particles.h"
 
+#include <span>
 #include <vector>
 
 namespace jam {
@@ -40,10 +41,13 @@ struct ForceScratch {
         std::vector<Load> loads;
         std::vector<double> x, y, z, distance, reach, diameter_first, closing, mass, elastic, force;
         std::vector<TilePair> contacts;
+        LiveTileScratch live;
     };
     PerThread<Thread> threads;
     std::vector<Load> slots;
     std::vector<ContactSums> sums_of_tile;
+    std::vector<LiveTile> live_tiles;               ///< by tile
+    std::vector<std::vector<Index>> woken_of_tile;  ///< particles that touch and were not stirred
 };
 
 /// Contact forces over the tiles. Writes the loads of every tile's own participants, and
@@ -56,6 +60,17 @@ ContactSums contact_forces(const PeriodicCell& cell, const Material& material,
                            const ContactFlow& flow, const ContactTiles& tiles,
                            const Particles& particles, std::vector<Load>& loads,
                            ForceScratch& scratch);
+
+/// The same without damping for tiles most of whose particles rest: looks at their live pairs only
+/// (LiveTile). After new tiles begin_live_tiles must have been called. `stirred` is by particle;
+/// who is found to touch another without it is told in scratch.woken_of_tile, and must be stirred
+/// before it moves.
+ContactSums live_contact_forces(const PeriodicCell& cell, const Material& material,
+                                const ContactTiles& tiles, std::span<const char> stirred,
+                                const Particles& particles, std::vector<Load>& loads,
+                                ForceScratch& scratch);
+
+void begin_live_tiles(const ContactTiles& tiles, ForceScratch& scratch);
 
 /// Adds the slots that belong to the particles of one block of ContactTiles::particles_per_block.
 void add_halo_loads(const ContactTiles& tiles, Count block, const std::vector<Load>& slots,

@@ -1,56 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jamming/active_particles.h"
 
+#include <utility>
+
 namespace jam {
 
 namespace {
 
-bool may_move(const ContactTiles& tiles, const Particles& particles, std::size_t i) {
-    return tiles.takes_part[i] || !stands_still(particles, i);
+constexpr Count block_size = ContactTiles::particles_per_block;
+
+std::span<const Index> listed(const std::vector<Index>& list, Count block,
+                              const std::vector<Index>& end) {
+    const auto begin = static_cast<std::size_t>(block * block_size);
+    const auto block_end = static_cast<std::size_t>(end[static_cast<std::size_t>(block)]);
+    return std::span(list).subspan(begin, block_end - begin);
+}
+
+void list_stirred(Count block, ActiveParticles& active) {
+    const auto at = static_cast<std::size_t>(block);
+    const auto begin = static_cast<std::size_t>(block * block_size);
+    const std::size_t end = std::min(begin + block_size, active.stirred.size());
+    std::size_t place = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+        active.particles[place] = static_cast<Index>(i);
+        place += active.stirred[i] ? 1 : 0;
+    }
+    active.end[at] = static_cast<Index>(place);
+    active.grown[at] = false;
 }
 
 }  // namespace
 
-Count ActiveParticles::awake_count() const {
-    Count count = 0;
+Count ActiveParticles::count() const {
+    Count sum = 0;
     for (Count block = 0; block < block_count(); ++block)
-        count += static_cast<Count>(awake_of_block(block).size());
-    return count;
+        sum += static_cast<Count>(of_block(block).size());
+    return sum;
+}
+
+Count ActiveParticles::awake_count() const {
+    Count sum = 0;
+    for (Count block = 0; block < block_count(); ++block)
+        sum += static_cast<Count>(awake_of_block(block).size());
+    return sum;
 }
 
 std::span<const Index> ActiveParticles::of_block(Count block) const {
-    const auto at = static_cast<std::size_t>(block);
-    return std::span(particles).subspan(block_begin[at], block_begin[at + 1] - block_begin[at]);
+    return listed(particles, block, end);
 }
 
 std::span<const Index> ActiveParticles::awake_of_block(Count block) const {
-    const auto at = static_cast<std::size_t>(block);
-    return std::span(awake).subspan(block_begin[at], awake_end[at] - block_begin[at]);
+    return listed(awake, block, awake_end);
 }
 
-void find_active_particles(const ContactTiles& tiles, const Particles& particles,
-                           ActiveParticles& active) {
-    constexpr Count block_size = ContactTiles::particles_per_block;
+void begin_stirring(const Particles& particles, ActiveParticles& active) {
     const Count count = particles.size();
-    active.block_begin.assign(static_cast<std::size_t>(block_count(count, block_size)) + 1, 0);
+    const auto blocks = static_cast<std::size_t>(block_count(count, block_size));
+    active.stirred.resize(static_cast<std::size_t>(count));
+    // One more: lists are made without a branch, and the last block's may be full.
+    active.particles.resize(static_cast<std::size_t>(count) + 1);
+    active.awake.resize(static_cast<std::size_t>(count) + 1);
+    active.end.resize(blocks);
+    active.grown.resize(blocks);
+    active.awake_end.resize(blocks);
     for_each_block(count, block_size, [&](Count block, Count begin, Count end) {
-        Index& found = active.block_begin[static_cast<std::size_t>(block)];
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            found += may_move(tiles, particles, i) ? 1 : 0;
+            active.stirred[i] = !stands_still(particles, i);
+        list_stirred(block, active);
+        active.awake_end[static_cast<std::size_t>(block)] = static_cast<Index>(begin);
     });
-    active.particles.resize(static_cast<std::size_t>(exclusive_scan(active.block_begin)));
-    for_each_block(count, block_size, [&](Count block, Count begin, Count end) {
-        auto place = static_cast<std::size_t>(active.block_begin[static_cast<std::size_t>(block)]);
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            if (may_move(tiles, particles, i)) active.particles[place++] = static_cast<Index>(i);
-    });
-    active.awake.resize(active.particles.size());
-    active.awake_end.assign(active.block_begin.begin(), active.block_begin.end() - 1);
+}
+
+void stir(std::span<const std::vector<Index>> woken, ActiveParticles& active) {
+    for (const std::vector<Index>& some : woken)
+        for (const Index i : some)
+            if (!std::exchange(active.stirred[static_cast<std::size_t>(i)], true))
+                active.grown[static_cast<std::size_t>(i / block_size)] = true;
 }
 
 void find_awake(const Particles& particles, Count block, ActiveParticles& active) {
     const auto at = static_cast<std::size_t>(block);
-    auto place = static_cast<std::size_t>(active.block_begin[at]);
+    if (active.grown[at]) list_stirred(block, active);
+    auto place = static_cast<std::size_t>(block * block_size);
     const std::span<const Index> of_block = active.of_block(block);
     const auto expect = [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(of_block[k]);

@@ -15,15 +15,19 @@
 
 namespace jam {
 
-/// Those that take part in a tile or are in motion, by blocks of ContactTiles::particles_per_block
-/// particles and in order within a block. While the tiles stand no other can move.
+/// Those that have been stirred: moved, or touched another, since the tiles were made. No other can
+/// move. Lists are by blocks of ContactTiles::particles_per_block particles and in order; each
+/// block's begins at the place of its first particle.
 struct ActiveParticles {
-    std::vector<Index> particles;
-    std::vector<Index> block_begin;  ///< size blocks + 1
-    std::vector<Index> awake;        ///< of each block those that are not idle, from its begin on
-    std::vector<Index> awake_end;    ///< size blocks
+    std::vector<char> stirred;     ///< by particle
+    std::vector<Index> particles;  ///< the stirred ones
+    std::vector<Index> end;        ///< size blocks
+    std::vector<Index> awake;      ///< of the stirred ones those that are not idle
+    std::vector<Index> awake_end;  ///< size blocks
+    std::vector<char> grown;       ///< by block: whether some are stirred that are not listed yet
 
-    Count block_count() const { return static_cast<Count>(block_begin.size()) - 1; }
+    Count block_count() const { return static_cast<Count>(end.size()); }
+    Count count() const;
     Count awake_count() const;
     std::span<const Index> of_block(Count block) const;
     std::span<const Index> awake_of_block(Count block) const;
@@ -79,11 +83,13 @@ inline bool is_idle(const Particles& particles, std::size_t i) {
     return !(touches_another(particles, i) | !stands_still(particles, i));
 }
 
-/// For new tiles, and velocities as they are. None is awake before find_awake.
-void find_active_particles(const ContactTiles& tiles, const Particles& particles,
-                           ActiveParticles& active);
+/// For new tiles: stirred are those in motion. None is awake before find_awake.
+void begin_stirring(const Particles& particles, ActiveParticles& active);
 
-/// Those of a block's active particles that are not idle, for loads and velocities as they are.
+/// Adds those that were found to touch another, in lists that may name them more than once.
+void stir(std::span<const std::vector<Index>> woken, ActiveParticles& active);
+
+/// Those of a block that are not idle, for loads and velocities as they are.
 void find_awake(const Particles& particles, Count block, ActiveParticles& active);
 
 /// Sum over blocks of body(block) -> Value, added in the order of the blocks.

@@ -121,10 +121,10 @@ void evaluate_forces(const JamState& state, const NphSettings& settings, NphScra
                                   state.particles, loads, scratch.forces);
 }
 
-void search(JamState& state, NphScratch& scratch) {
+void search(JamState& state, const StepMotion& moved, NphScratch& scratch) {
     const StageTimer timer(scratch.times, Stage::search);
     reduce_tilt(state);
-    renew_lists(scratch.lists, state.cell, scratch.motion, state.particles);
+    renew_lists(scratch.lists, state.cell, moved, scratch.motion, state.particles);
     state.list_reference = scratch.lists.outer;
 }
 
@@ -135,7 +135,7 @@ void keep_lists_valid(JamState& state, const StepMotion& moved, NphScratch& scra
         renewal =
             keep_tiles_valid(scratch.lists, state.cell, moved, scratch.motion, state.particles);
     }
-    if (renewal == ListRenewal::search_needed) search(state, scratch);
+    if (renewal == ListRenewal::search_needed) search(state, moved, scratch);
 }
 
 void take_internal_pressure(JamState& state, const NphScratch& scratch, const Mat3& momentum_flux) {
@@ -213,7 +213,7 @@ void begin_nph(JamState& state, const NphSettings& settings, NphScratch& scratch
         return;
     }
     scratch.lists.hierarchy.group(state.particles);
-    search(state, scratch);
+    search(state, StepMotion{}, scratch);
     evaluate_forces(state, settings, scratch, state.particles.loads);
     add_halo_loads(scratch.lists.tiles, scratch.forces.slots, state.particles.loads);
     take_internal_pressure(state, scratch, Mat3::Zero());

@@ -52,18 +52,26 @@ double sum_of_forces(std::span<const Index> awake, const std::vector<Load>& load
     return sum;
 }
 
-/// Forces over tiles and slots, and what follows from them.
+void use_metric(const JamState& state, RelaxScratch& scratch) {
+    set_metric(state.relax.stiffness, state.particles, scratch.active, scratch.metric);
+}
+
+/// Forces over tiles and slots, and what follows from them: who is awake, and the metric of those
+/// who were not before.
 void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scratch) {
     const StageTimer timer(scratch.times, Stage::forces);
     Particles& particles = state.particles;
-    scratch.sums = contact_forces(state.cell, settings.material, {}, scratch.lists.tiles, particles,
-                                  particles.loads, scratch.forces);
+    scratch.sums =
+        live_contact_forces(state.cell, settings.material, scratch.lists.tiles,
+                            scratch.active.stirred, particles, particles.loads, scratch.forces);
+    stir(scratch.forces.woken_of_tile, scratch.active);
     scratch.net_force = sum_active(scratch.active, 0.0, [&](Count block) {
         add_halo_loads(scratch.lists.tiles, block, scratch.forces.slots, particles.loads);
         find_awake(particles, block, scratch.active);
         return sum_of_forces(scratch.active.awake_of_block(block), particles.loads);
     });
     state.pressure = scratch.sums.virial / state.cell.volume();
+    if (!state.relax.stiffness.empty()) use_metric(state, scratch);
 }
 
 /// Of the contacts that there are; zero without any.
@@ -211,19 +219,16 @@ void renew_metric(JamState& state, const RelaxSettings& settings, RelaxScratch& 
     state.relax.renewal_age = 0;
 }
 
-void use_metric(const JamState& state, RelaxScratch& scratch) {
-    set_metric(state.relax.stiffness, state.particles, scratch.active, scratch.metric);
+void begin_tiles(const JamState& state, RelaxScratch& scratch) {
+    begin_stirring(state.particles, scratch.active);
+    scratch.metric.set_of_block.clear();
+    begin_live_tiles(scratch.lists.tiles, scratch.forces);
 }
 
-/// After new tiles.
-void find_active(const JamState& state, RelaxScratch& scratch) {
-    find_active_particles(scratch.lists.tiles, state.particles, scratch.active);
-}
-
-void search(JamState& state, RelaxScratch& scratch) {
+void search(JamState& state, const StepMotion& moved, RelaxScratch& scratch) {
     const StageTimer timer(scratch.times, Stage::search);
     reduce_tilt(state);
-    renew_lists(scratch.lists, state.cell, scratch.motion, state.particles);
+    renew_lists(scratch.lists, state.cell, moved, scratch.motion, state.particles);
     state.list_reference = scratch.lists.outer;
     scratch.full = full_list(scratch.lists.candidates);
     forget_metric(state.particles, scratch.metric);
@@ -243,9 +248,8 @@ void keep_lists_valid(JamState& state, const StepMotion& moved, RelaxScratch& sc
             keep_tiles_valid(scratch.lists, state.cell, moved, scratch.motion, state.particles);
     }
     if (renewal == ListRenewal::none) return;
-    if (renewal == ListRenewal::search_needed) search(state, scratch);
-    find_active(state, scratch);
-    use_metric(state, scratch);
+    if (renewal == ListRenewal::search_needed) search(state, moved, scratch);
+    begin_tiles(state, scratch);
 }
 
 }  // namespace
@@ -258,19 +262,18 @@ double relative_overlap(const Material& material, double pressure, double smalle
 void begin_relaxation(JamState& state, const RelaxSettings& settings, RelaxScratch& scratch) {
     if (state.list_reference.centers.empty()) {
         scratch.lists.hierarchy.group(state.particles);
-        search(state, scratch);
+        search(state, StepMotion{}, scratch);
     } else {
         restore_lists(scratch.lists, state.list_reference, state.cell, scratch.motion,
                       state.particles);
         scratch.full = full_list(scratch.lists.candidates);
     }
-    find_active(state, scratch);
+    begin_tiles(state, scratch);
     forget_metric(state.particles, scratch.metric);
     if (state.relax.stiffness.empty()) {
         evaluate(state, settings, scratch);  // for the mean overlap
         renew_metric(state, settings, scratch);
     }
-    use_metric(state, scratch);
     evaluate(state, settings, scratch);
 }
 

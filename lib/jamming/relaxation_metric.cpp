@@ -170,21 +170,27 @@ void renew_stiffness(const NeighborList& full, const PeriodicCell& cell, const M
 void forget_metric(const Particles& particles, RelaxationMetric& metric) {
     metric.particles.resize(particles.spheres.size());
     metric.stands.assign(particles.spheres.size(), false);
+    metric.set_of_block.clear();
 }
 
 void set_metric(const ContactStiffness& stiffness, const Particles& particles,
                 const ActiveParticles& active, RelaxationMetric& metric) {
     const double unit = stiffness.typical;
+    metric.set_of_block.resize(static_cast<std::size_t>(active.block_count()), 0);
     for_each_block(active.block_count(), 1, [&](Count block, Count, Count) {
-        for_each_id(active.of_block(block), particles, stiffness.particles,
-                    [&](Index particle, std::size_t id) {
-                        const auto i = static_cast<std::size_t>(particle);
-                        if (std::exchange(metric.stands[i], true)) return;
-                        const ParticleStiffness& of_particle = stiffness.particles[id];
-                        const bool held = of_particle.contacts >= contacts_that_hold;
-                        metric.particles[i] = response_of(of_particle.block,
-                                                          unit * (held ? held_floor : loose_floor));
-                    });
+        const auto count = static_cast<Count>(active.of_block(block).size());
+        if (std::exchange(metric.set_of_block[static_cast<std::size_t>(block)], count) == count)
+            return;
+        std::vector<Index> missing;
+        for (const Index i : active.of_block(block))
+            if (!std::exchange(metric.stands[static_cast<std::size_t>(i)], true))
+                missing.push_back(i);
+        for_each_id(missing, particles, stiffness.particles, [&](Index i, std::size_t id) {
+            const ParticleStiffness& of_particle = stiffness.particles[id];
+            const bool held = of_particle.contacts >= contacts_that_hold;
+            metric.particles[static_cast<std::size_t>(i)] =
+                response_of(of_particle.block, unit * (held ? held_floor : loose_floor));
+        });
     });
     // Without any contact the cell has no stiffness, and still must not fly away.
     metric.cell_inertia = (stiffness_factor * stiffness.cell).cwiseMax(unit);

@@ -69,6 +69,7 @@ inline QuadResponse load_responses(const std::vector<BlockResponse>& responses, 
 struct RelaxationMetric {
     std::vector<BlockResponse> particles;  ///< by place in the arrays
     std::vector<char> stands;              ///< whether a particle's has been set
+    std::vector<Count> set_of_block;       ///< active ones of a block whose has been set
     Mat3 cell_inertia = Mat3::Ones();      ///< upper triangle
 };
 

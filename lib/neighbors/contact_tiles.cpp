@@ -14,6 +14,7 @@ namespace {
 
 constexpr Count rows_per_tile = 1024;
 constexpr std::size_t most_participants = 1 << 16;
+constexpr double rounding = 1e-12;
 
 /// Makes the tiles of a range of rows with one thread's scratch.
 class TileMaker {
@@ -24,6 +25,7 @@ class TileMaker {
         : candidates_(candidates),
           to_cartesian_(cell.matrix()),
           reach_(reach),
+          close_reach_{.strain_margin = reach.strain_margin + rounding},
           particles_(particles),
           scratch_(scratch) {
         scratch_.participant_of.resize(particles.spheres.size(), none);
@@ -54,22 +56,32 @@ class TileMaker {
     /// Without a branch: which of the candidates are near cannot be guessed.
     void find_near(Index begin, Index end) {
         auto& near = scratch_.near;
+        auto& close = scratch_.close;
         near.resize(static_cast<std::size_t>(candidates_.pairs_of_rows(begin, end)) + 1);
+        close.resize(near.size());
         std::size_t found = 0;
         for (Index i = begin; i < end; ++i) {
             const Double4 sphere = load4(particles_.spheres[static_cast<std::size_t>(i)]);
             for_each_four(candidates_.row(i), [&](const Neighbor* neighbors, int count) {
-                const unsigned bits = bits_of(are_near(sphere, neighbors)) & bits_of_first(count);
+                const auto [are_near, are_close] = nearness(sphere, neighbors);
+                const unsigned near_bits = bits_of(are_near) & bits_of_first(count);
+                const unsigned close_bits = bits_of(are_close);
                 for (unsigned k = 0; k < 4; ++k) {
                     near[found] = {i, neighbors[k]};
-                    found += bits >> k & 1u;
+                    close[found] = static_cast<char>(close_bits >> k & 1u);
+                    found += near_bits >> k & 1u;
                 }
             });
         }
         near.resize(found);
+        close.resize(found);
     }
 
-    Mask4 are_near(const Double4& sphere, const Neighbor* neighbors) const {
+    struct Nearness {
+        Mask4 near, close;
+    };
+
+    Nearness nearness(const Double4& sphere, const Neighbor* neighbors) const {
         const auto separation = [&](const Neighbor& neighbor) {
             const auto j = static_cast<std::size_t>(neighbor.particle());
             const Double4 other = load4(particles_.spheres[j]);
@@ -78,8 +90,11 @@ class TileMaker {
         const Columns4 s = transposed({separation(neighbors[0]), separation(neighbors[1]),
                                        separation(neighbors[2]), separation(neighbors[3])});
         const Columns4 r = to_cartesian_(s);
-        const Double4 farthest = reach_.of(Double4{} + sphere[3], s.w);
-        return r.x * r.x + r.y * r.y + r.z * r.z <= farthest * farthest;
+        const Double4 squared = r.x * r.x + r.y * r.y + r.z * r.z;
+        const Double4 diameter = Double4{} + sphere[3];
+        const Double4 farthest = reach_.of(diameter, s.w);
+        const Double4 closest = close_reach_.of(diameter, s.w);
+        return {squared <= farthest * farthest, squared <= closest * closest};
     }
 
     /// Own participants first and in the order of the rows, so that they are read in sequence.
@@ -101,6 +116,7 @@ class TileMaker {
     /// The halo is numbered by first appearance.
     void number_pairs(ContactTile& tile) {
         scratch_.repeated_halo = false;
+        tile.close = scratch_.close;
         tile.pairs.reserve(scratch_.near.size());
         for (const auto& [i, neighbor] : scratch_.near) {
             const std::uint32_t first = number_of(Neighbor(i, home_image), tile);
@@ -155,6 +171,7 @@ class TileMaker {
     const NeighborList& candidates_;
     const UpperMap to_cartesian_;
     const InteractionReach& reach_;
+    const InteractionReach close_reach_;
     const Particles& particles_;
     TileScratch::Thread& scratch_;
 };
@@ -209,12 +226,13 @@ void index_halo_loads(Count particle_count, TileScratch& scratch, ContactTiles& 
     });
 }
 
-/// Who takes part, and who of them only in the halo of others.
-void find_taking_part(Count particle_count, ContactTiles& tiles) {
-    tiles.takes_part.assign(static_cast<std::size_t>(particle_count), false);
+/// Who takes part only in the halo of others.
+void find_those_only_in_halo(Count particle_count, std::vector<char>& takes_part,
+                             ContactTiles& tiles) {
+    takes_part.assign(static_cast<std::size_t>(particle_count), false);
     for_each_tile(tiles, [&](const ContactTile& tile) {
         for (std::size_t p = 0; p < static_cast<std::size_t>(tile.own_count); ++p)
-            tiles.takes_part[static_cast<std::size_t>(tile.participants[p].particle())] = true;
+            takes_part[static_cast<std::size_t>(tile.participants[p].particle())] = true;
     });
     const std::size_t blocks = tiles.halo_begin.size() - 1;
     tiles.only_in_halo.resize(blocks);
@@ -223,7 +241,7 @@ void find_taking_part(Count particle_count, ContactTiles& tiles) {
         tiles.only_in_halo[at].clear();
         for (auto k = tiles.halo_begin[at]; k < tiles.halo_begin[at + 1]; ++k) {
             const Index particle = tiles.halo_loads[static_cast<std::size_t>(k)].particle;
-            if (std::exchange(tiles.takes_part[static_cast<std::size_t>(particle)], true)) continue;
+            if (std::exchange(takes_part[static_cast<std::size_t>(particle)], true)) continue;
             tiles.only_in_halo[at].push_back(particle);
         }
     });
@@ -250,7 +268,7 @@ void make_contact_tiles(const NeighborList& candidates, const PeriodicCell& cell
     });
     collect_tiles(scratch, tiles);
     index_halo_loads(particles.size(), scratch, tiles);
-    find_taking_part(particles.size(), tiles);
+    find_those_only_in_halo(particles.size(), scratch.takes_part, tiles);
 }
 
 }  // namespace jam

@@ -33,6 +33,8 @@ struct ContactTile {
     std::vector<Neighbor> participants;  ///< own ones first, with the home image
     Index own_count = 0;
     std::vector<TilePair> pairs;
+    /// By pair: whether the tiles' strain margin alone may bring it together.
+    std::vector<char> close;
     Count first_slot = 0;  ///< of the halo: participant own_count + k has slot first_slot + k
 
     Index halo_count() const { return static_cast<Index>(participants.size()) - own_count; }
@@ -55,7 +57,6 @@ struct ContactTiles {
     /// By block: particles that are in the halo of other tiles and take part in none of their own.
     /// No tile writes their loads, so these start from zero.
     std::vector<std::vector<Index>> only_in_halo;
-    std::vector<char> takes_part;  ///< by particle: whether it is in any tile
 
     Count pair_count() const;
 };
@@ -66,12 +67,14 @@ struct TileScratch {
         std::vector<std::uint32_t> participant_of;  ///< by particle: its first number in the tile
         std::vector<std::uint32_t> next_image;  ///< by participant: another image of the same one
         std::vector<std::pair<Index, Neighbor>> near;
+        std::vector<char> close;     ///< by near pair
         std::vector<char> own;       ///< by row: whether it takes part
         bool repeated_halo = false;  ///< some particle is in the halo through several images
     };
     PerThread<Thread> threads;
     std::vector<std::vector<ContactTile>> tiles_of_block;
     std::vector<Index> particle_of_slot, block_of_slot, slots_by_block;
+    std::vector<char> takes_part;  ///< by particle: whether it is in any tile
 };
 
 /// Keeps the candidates within `reach` at the particles' present places, tested in double

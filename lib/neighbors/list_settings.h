@@ -11,9 +11,11 @@ namespace jam {
 struct ListSettings {
     NeighborMethod method = NeighborMethod::multi;
     std::optional<double> collection_ratio;  ///< nothing: chosen by the cost of a search
-    double outer_skin = 0.1;                 ///< of the candidates, in smallest diameters
-    double outer_strain_margin = 0.02;       ///< of the candidates
-    double inner_steps = 25.0;  ///< steps of present motion that the tiles should outlast
+    double outer_skin = 0.1;                 ///< of the candidates at least, in smallest diameters
+    double widest_outer_skin = 0.8;
+    double outer_steps = 50.0;          ///< of the last step's motion that it should outlast
+    double outer_strain_margin = 0.02;  ///< of the candidates
+    double inner_steps = 50.0;          ///< steps of present motion that the tiles should outlast
 };
 
 }  // namespace jam

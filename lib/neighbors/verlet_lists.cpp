@@ -48,14 +48,25 @@ void make_tiles(VerletLists& lists, const PeriodicCell& cell, const StepMotion& 
     ++lists.refilters;
 }
 
+/// While nothing moves.
 InteractionReach outer_reach(double smallest_diameter, const ListSettings& settings) {
     return {settings.outer_strain_margin, settings.outer_skin * smallest_diameter};
 }
 
+/// Wider where a step moves things far.
+InteractionReach outer_reach(const VerletLists& lists, const StepMotion& moved) {
+    const ListSettings& settings = lists.settings;
+    InteractionReach reach = outer_reach(lists.smallest_diameter, settings);
+    reach.skin = std::clamp(settings.outer_steps * moved.displacement, reach.skin,
+                            settings.widest_outer_skin * lists.smallest_diameter);
+    return reach;
+}
+
 /// The same for candidates in this cell: no wider than the largest sphere has room for, which costs
 /// more searches.
-InteractionReach reach_with_room(const VerletLists& lists, const PeriodicCell& cell) {
-    const InteractionReach full = outer_reach(lists.smallest_diameter, lists.settings);
+InteractionReach reach_with_room(const VerletLists& lists, const PeriodicCell& cell,
+                                 const StepMotion& moved) {
+    const InteractionReach full = outer_reach(lists, moved);
     const double largest = lists.hierarchy.collections().upper.back();
     const double room = cell.perpendicular_widths().minCoeff() - largest;
     const double wanted = full.of(largest, largest) - largest;
@@ -91,14 +102,14 @@ VerletLists::VerletLists(std::span<const double> diameters, const ListSettings& 
       settings(list_settings),
       smallest_diameter(smallest(diameters)) {}
 
-void renew_lists(VerletLists& lists, const PeriodicCell& cell, const StepMotion& motion,
-                 Particles& particles) {
-    const InteractionReach reach = reach_with_room(lists, cell);
+void renew_lists(VerletLists& lists, const PeriodicCell& cell, const StepMotion& moved,
+                 const StepMotion& expected, Particles& particles) {
+    const InteractionReach reach = reach_with_room(lists, cell, moved);
     find_candidates(lists.hierarchy, cell, reach, particles, lists.neighbor_scratch,
                     lists.candidates, lists.settings.method);
     take_reference(cell, reach, particles, lists.outer);
     ++lists.searches;
-    make_tiles(lists, cell, motion, 0.0, particles);
+    make_tiles(lists, cell, expected, 0.0, particles);
 }
 
 void restore_lists(VerletLists& lists, const ListReference& outer, const PeriodicCell& cell,

@@ -40,9 +40,10 @@ struct StepMotion {
     double strain = 0.0;        ///< norm of the cell's
 };
 
-/// Searches anew at the particles' present places, which sorts and wraps them, and makes new tiles.
-void renew_lists(VerletLists& lists, const PeriodicCell& cell, const StepMotion& motion,
-                 Particles& particles);
+/// Searches anew at the particles' present places, to which a step has `moved` them, which sorts
+/// and wraps them, and makes new tiles that outlast some steps of the `expected` motion.
+void renew_lists(VerletLists& lists, const PeriodicCell& cell, const StepMotion& moved,
+                 const StepMotion& expected, Particles& particles);
 
 /// Makes the candidates again that an earlier search made at `outer`, for particles sorted as that
 /// search left them, and new tiles: a run that goes on from a checkpoint has the same rows in the

@@ -23,17 +23,20 @@ struct Sample {
     ContactTiles tiles;
 };
 
-Sample make_sample(std::uint64_t seed, int count, double size_ratio) {
+Sample make_sample(std::uint64_t seed, int count, double size_ratio,
+                   const InteractionReach& reach = wide, double shrunk_to = 1.0) {
     test::RandomPacking packing =
         test::random_packing(seed, {.count = count, .size_ratio = size_ratio, .least_width = 1.3});
+    for (Sphere& sphere : packing.particles.spheres) sphere.diameter *= shrunk_to;
     GridHierarchy hierarchy(geometric_collections(test::diameters_of(packing.particles)));
     hierarchy.group(packing.particles);
     NeighborScratch scratch;
     NeighborList candidates;
-    find_candidates(hierarchy, packing.cell, wide, packing.particles, scratch, candidates);
+    find_candidates(hierarchy, packing.cell, reach, packing.particles, scratch, candidates);
     Sample sample{packing.cell, packing.particles, {}};
     TileScratch tile_scratch;
-    make_contact_tiles(candidates, sample.cell, wide, sample.particles, tile_scratch, sample.tiles);
+    make_contact_tiles(candidates, sample.cell, reach, sample.particles, tile_scratch,
+                       sample.tiles);
     return sample;
 }
 
@@ -219,6 +222,51 @@ TEST(ContactForces, CoincidentCentersGiveNoNumbersThatAreNone) {
     for (Sphere& sphere : sample.particles.spheres) sphere.center = Vec3::Constant(0.25);
     EXPECT_TRUE(std::isfinite(evaluate(sample, {}, {.damped = true}).virial.sum()));
     for (const Load& load : sample.particles.loads) EXPECT_TRUE(load.force.allFinite());
+}
+
+/// Those that touch another, by particle.
+std::vector<char> touching(const Sample& sample) {
+    std::vector<char> touches;
+    for (const Load& load : sample.particles.loads) touches.push_back(load.contacts != 0.0);
+    return touches;
+}
+
+TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
+    Sample sample = make_sample(29, 4000, 3.0, {.skin = 0.3}, 0.5);
+    Particles& particles = sample.particles;
+    std::vector<char> stirred(particles.spheres.size(), false);
+    ForceScratch live;
+    begin_live_tiles(sample.tiles, live);
+    std::vector<Load> loads(particles.spheres.size(), Load{Vec3::Zero(), 0.0});
+    // Ever more are stirred, and go a little way.
+    Count left_out = 0;
+    for (int step = 0; step < 40; ++step) {
+        for (std::size_t i = 0; i < particles.spheres.size(); ++i) {
+            if (i % 97 == static_cast<std::size_t>(step)) stirred[i] = true;
+            if (stirred[i]) particles.spheres[i].center += Vec3(2e-5, -1e-5, 1e-5);
+        }
+        const ContactSums expected = evaluate(sample, {});
+        const ContactSums sums =
+            live_contact_forces(sample.cell, {}, sample.tiles, stirred, particles, loads, live);
+        add_halo_loads(sample.tiles, live.slots, loads);
+        ASSERT_EQ(sums.contacts, expected.contacts);
+        ASSERT_EQ(sums.energy, expected.energy);
+        ASSERT_EQ(sums.virial, expected.virial);
+        std::vector<char> woken = stirred;
+        for (const std::vector<Index>& some : live.woken_of_tile)
+            for (const Index i : some) woken[static_cast<std::size_t>(i)] = true;
+        const std::vector<char> touches = touching(sample);
+        for (std::size_t i = 0; i < loads.size(); ++i) {
+            ASSERT_EQ(loads[i].force, particles.loads[i].force) << "step " << step;
+            ASSERT_EQ(loads[i].contacts, particles.loads[i].contacts);
+            ASSERT_EQ(woken[i], stirred[i] | touches[i]);
+        }
+        stirred = woken;
+        left_out += sample.tiles.pair_count();
+        for (const LiveTile& tile : live.live_tiles)
+            left_out -= static_cast<Count>(tile.pairs.size());
+    }
+    EXPECT_GT(left_out, 1000) << "nothing was tested";
 }
 
 TEST(ContactForces, SameBitsForAnyThreadCount) {

@@ -27,7 +27,7 @@ struct Dense {
         h(1, 2) = 0.15;
         state.cell = PeriodicCell(h);
         lists.hierarchy.group(state.particles);
-        renew_lists(lists, state.cell, {}, state.particles);
+        renew_lists(lists, state.cell, {}, {}, state.particles);
     }
     ContactModel model() const {
         return {lists.candidates, state.cell, state.particles, scene.contact, pressure, 0.05};

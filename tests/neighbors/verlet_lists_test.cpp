@@ -65,7 +65,7 @@ TEST(VerletLists, HoldEveryContactWhileTheyStand) {
     lists.hierarchy.group(particles);
     const double largest = 2e-4 * lists.smallest_diameter;
     StepMotion expected{.displacement = largest, .strain = 1e-4};
-    renew_lists(lists, packing.cell, expected, particles);
+    renew_lists(lists, packing.cell, {}, expected, particles);
     int stood = 0;
     int filtered = 0;
     int searched = 0;
@@ -79,7 +79,7 @@ TEST(VerletLists, HoldEveryContactWhileTheyStand) {
                 ++filtered;
                 break;
             case ListRenewal::search_needed:
-                renew_lists(lists, packing.cell, expected, particles);
+                renew_lists(lists, packing.cell, moved, expected, particles);
                 ++searched;
         }
         EXPECT_GE(lists.outer_displacement,
@@ -94,6 +94,24 @@ TEST(VerletLists, HoldEveryContactWhileTheyStand) {
     EXPECT_GT(stood, 1000);
     EXPECT_GT(filtered, 10);
     EXPECT_GT(searched, 1);
+}
+
+TEST(VerletLists, FastMotionIsGivenAWiderSkin) {
+    test::RandomPacking packing =
+        test::random_packing(9, {.count = 300, .size_ratio = 3.0, .least_width = 2.0});
+    Particles& particles = packing.particles;
+    particles.loads.resize(particles.spheres.size());
+    const ListSettings settings;
+    VerletLists lists(test::diameters_of(particles), settings);
+    lists.hierarchy.group(particles);
+    const double smallest = lists.smallest_diameter;
+    const auto skin_after = [&](double displacement) {
+        renew_lists(lists, packing.cell, {.displacement = displacement * smallest}, {}, particles);
+        return lists.outer.reach.skin / smallest;
+    };
+    EXPECT_DOUBLE_EQ(skin_after(0.0), settings.outer_skin);
+    EXPECT_DOUBLE_EQ(skin_after(5e-3), 5e-3 * settings.outer_steps);
+    EXPECT_DOUBLE_EQ(skin_after(1.0), settings.widest_outer_skin);
 }
 
 }  // namespace

@@ -344,8 +344,7 @@ ContactSums live_contact_forces(const PeriodicCell& cell, const Material& materi
     const auto sum_of = [&](std::size_t t, auto& forces, ForceScratch::Thread& of_thread) {
         LiveTile& live = scratch.live_tiles[t];
         renew_live_tile(tiles.tiles[t], stirred, of_thread.live, live);
-        const ContactSums sums =
-            forces.evaluate(live, particles, loads.data(), scratch.slots.data());
+        ContactSums sums = forces.evaluate(live, particles, loads.data(), scratch.slots.data());
         forces.find_woken(live, sums, scratch.woken_of_tile[t]);
         return sums;
     };

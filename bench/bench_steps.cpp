@@ -35,6 +35,7 @@ void report(benchmark::State& run, const JamState& state) {
 ListSettings with_outer_skin(double skin) {
     ListSettings settings;
     settings.outer_skin = skin;
+    settings.widest_outer_skin = skin;
     return settings;
 }
 

@@ -96,7 +96,7 @@ class TileForces {
     }
 
     /// Where the next contacts go: pointers of its own, which nothing that is written can change.
-    struct Packing {
+    struct ContactPacker {
         const Sphere* spheres;
         double *x, *y, *z, *distance, *reach, *diameter_first;
         TilePair* contacts;
@@ -134,17 +134,17 @@ class TileForces {
     /// Pairs that overlap, packed.
     std::size_t find_contacts(std::span<const TilePair> pairs) {
         reserve(pairs.size() + lanes);
-        const Packing packing = {s_.spheres.data(),
-                                 s_.x.data(),
-                                 s_.y.data(),
-                                 s_.z.data(),
-                                 s_.distance.data(),
-                                 s_.reach.data(),
-                                 s_.diameter_first.data(),
-                                 s_.contacts.data()};
+        const ContactPacker packer = {s_.spheres.data(),
+                                      s_.x.data(),
+                                      s_.y.data(),
+                                      s_.z.data(),
+                                      s_.distance.data(),
+                                      s_.reach.data(),
+                                      s_.diameter_first.data(),
+                                      s_.contacts.data()};
         std::size_t contacts = 0;
-        for_each_four(pairs, [packing, &contacts](const TilePair* four, int count) {
-            contacts = packing.pack(four, count, contacts);
+        for_each_four(pairs, [packer, &contacts](const TilePair* four, int count) {
+            contacts = packer.pack(four, count, contacts);
         });
         return contacts;
     }

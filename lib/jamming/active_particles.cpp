@@ -31,13 +31,6 @@ void list_stirred(Count block, ActiveParticles& active) {
 
 }  // namespace
 
-Count ActiveParticles::count() const {
-    Count sum = 0;
-    for (Count block = 0; block < block_count(); ++block)
-        sum += static_cast<Count>(of_block(block).size());
-    return sum;
-}
-
 Count ActiveParticles::awake_count() const {
     Count sum = 0;
     for (Count block = 0; block < block_count(); ++block)
@@ -57,9 +50,8 @@ void begin_stirring(const Particles& particles, ActiveParticles& active) {
     const Count count = particles.size();
     const auto blocks = static_cast<std::size_t>(block_count(count, block_size));
     active.stirred.resize(static_cast<std::size_t>(count));
-    // One more: lists are made without a branch, and the last block's may be full.
-    active.particles.resize(static_cast<std::size_t>(count) + 1);
-    active.awake.resize(static_cast<std::size_t>(count) + 1);
+    active.particles.resize(static_cast<std::size_t>(count));
+    active.awake.resize(static_cast<std::size_t>(count));
     active.end.resize(blocks);
     active.grown.resize(blocks);
     active.awake_end.resize(blocks);

@@ -27,7 +27,6 @@ struct ActiveParticles {
     std::vector<char> grown;       ///< by block: whether some are stirred that are not listed yet
 
     Count block_count() const { return static_cast<Count>(end.size()); }
-    Count count() const;
     Count awake_count() const;
     std::span<const Index> of_block(Count block) const;
     std::span<const Index> awake_of_block(Count block) const;

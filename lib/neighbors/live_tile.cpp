@@ -27,7 +27,7 @@ Count find_stirred(const ContactTile& tile, std::span<const char> stirred,
 /// Without a branch: which pairs are live cannot be guessed. Numbers are 1 for who is in one.
 void find_live_pairs(const ContactTile& tile, LiveTileScratch& scratch, LiveTile& live) {
     scratch.number.assign(tile.participants.size(), 0);
-    live.pairs.resize(tile.pairs.size() + 1);
+    live.pairs.resize(tile.pairs.size());
     std::size_t found = 0;
     for (std::size_t k = 0; k < tile.pairs.size(); ++k) {
         const auto [first, second] = tile.pairs[k];

@@ -84,7 +84,7 @@ TEST(RelaxStep, AwakeAreThoseThatAreNotIdle) {
         for (Count block = 0; block < scratch.active.block_count(); ++block)
             for (const Index i : scratch.active.awake_of_block(block)) awake.push_back(i);
         ASSERT_EQ(awake, expected) << "step " << step;
-        asleep += state.particles.size() - scratch.active.awake_count();
+        asleep += state.particles.size() - static_cast<Count>(awake.size());
     }
     EXPECT_GT(asleep, 0) << "nothing was tested";
 }
@@ -150,7 +150,7 @@ TEST(RelaxStep, OneThatMovesIsActiveThoughItTouchesNothing) {
     JamState state = pressed_spheres();
     state.cell = PeriodicCell(Mat3(4.0 * state.cell.matrix()));
     const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
-    EXPECT_EQ(begin(state, settings).active.count(), 0);
+    EXPECT_TRUE(active_ones(begin(state, settings).active).empty());
     state.particles.motions[17].velocity = Vec3(1e-3, 0.0, 0.0);
     RelaxScratch scratch = begin(state, settings);
     ASSERT_EQ(active_ones(scratch.active), std::set<Index>{17});

@@ -95,58 +95,54 @@ class TileForces {
         });
     }
 
-    /// Where the next contacts go: pointers of its own, which nothing that is written can change.
-    struct ContactPacker {
-        const Sphere* spheres;
-        double *x, *y, *z, *distance, *reach, *diameter_first;
-        TilePair* contacts;
-
-        /// Appends those of up to four pairs that overlap, and returns how many contacts there are
-        /// then; what is behind them is overwritten.
-        std::size_t pack(const TilePair* pairs, int count, std::size_t end) const {
-            const Columns4 r = transposed({separation(pairs[0]), separation(pairs[1]),
-                                           separation(pairs[2]), separation(pairs[3])});
-            const Double4 squared = r.x * r.x + r.y * r.y + r.z * r.z;
-            const Double4 sum_of_radii = 0.5 * r.w;
-            const unsigned touching =
-                bits_of(squared < sum_of_radii * sum_of_radii) & bits_of_first(count);
-            store_packed(r.x, touching, x + end);
-            store_packed(r.y, touching, y + end);
-            store_packed(r.z, touching, z + end);
-            store_packed(squared, touching, distance + end);
-            store_packed(sum_of_radii, touching, reach + end);
-            for (unsigned k = 0; k < 4; ++k) {
-                if constexpr (needs_diameters)
-                    diameter_first[end] = spheres[pairs[k].first].diameter;
-                contacts[end] = pairs[k];
-                end += touching >> k & 1u;
-            }
-            return end;
-        }
-
-        /// From the second center to the first, and the sum of the diameters.
-        Double4 separation(const TilePair& pair) const {
-            constexpr Double4 add_diameters = {1.0, 1.0, 1.0, -1.0};
+    /// From the second center to the first, and the sum of the diameters, of four pairs.
+    static Columns4 separations(const Sphere* spheres, const TilePair* pairs) {
+        constexpr Double4 add_diameters = {1.0, 1.0, 1.0, -1.0};
+        const auto separation = [&](const TilePair& pair) {
             return load4(spheres[pair.first]) - add_diameters * load4(spheres[pair.second]);
-        }
-    };
+        };
+        return transposed({separation(pairs[0]), separation(pairs[1]), separation(pairs[2]),
+                           separation(pairs[3])});
+    }
 
-    /// Pairs that overlap, packed.
+    /// Packs the pairs that overlap, then measures them: most do not, and cost no more than that.
     std::size_t find_contacts(std::span<const TilePair> pairs) {
         reserve(pairs.size() + lanes);
-        const ContactPacker packer = {s_.spheres.data(),
-                                      s_.x.data(),
-                                      s_.y.data(),
-                                      s_.z.data(),
-                                      s_.distance.data(),
-                                      s_.reach.data(),
-                                      s_.diameter_first.data(),
-                                      s_.contacts.data()};
-        std::size_t contacts = 0;
-        for_each_four(pairs, [packer, &contacts](const TilePair* four, int count) {
-            contacts = packer.pack(four, count, contacts);
-        });
+        const std::size_t contacts = pack_touching(pairs);
+        measure(std::span<const TilePair>(s_.contacts).first(contacts));
         return contacts;
+    }
+
+    std::size_t pack_touching(std::span<const TilePair> pairs) {
+        // Pointers of its own, which nothing that is written can change.
+        const Sphere* const spheres = s_.spheres.data();
+        TilePair* const packed = s_.contacts.data();
+        std::size_t end = 0;
+        for_each_four(pairs, [spheres, packed, &end](const TilePair* four, int count) {
+            const Columns4 r = separations(spheres, four);
+            const Double4 sum_of_radii = 0.5 * r.w;
+            const Mask4 overlap = squared_length(r) < sum_of_radii * sum_of_radii;
+            const unsigned touching = bits_of(overlap) & bits_of_first(count);
+            end += store_packed(four, touching, packed + end);
+        });
+        return end;
+    }
+
+    void measure(std::span<const TilePair> contacts) {
+        const Sphere* const spheres = s_.spheres.data();
+        std::size_t c = 0;
+        for_each_four(contacts, [&](const TilePair* four, int) {
+            const Columns4 r = separations(spheres, four);
+            store_lanes(r.x, &s_.x[c]);
+            store_lanes(r.y, &s_.y[c]);
+            store_lanes(r.z, &s_.z[c]);
+            store_lanes(squared_length(r), &s_.squared[c]);
+            store_lanes(0.5 * r.w, &s_.reach[c]);
+            if constexpr (needs_diameters)
+                for (std::size_t k = 0; k < 4; ++k)
+                    s_.diameter_first[c + k] = spheres[four[k].first].diameter;
+            c += 4;
+        });
     }
 
     /// What is in front stays; to shrink and grow again would fill it with zeros each time.
@@ -156,8 +152,9 @@ class TileForces {
     }
 
     void reserve(std::size_t size) {
-        for (auto* column : {&s_.x, &s_.y, &s_.z, &s_.distance, &s_.reach, &s_.diameter_first,
-                             &s_.closing, &s_.mass, &s_.elastic, &s_.force})
+        for (auto* column :
+             {&s_.x, &s_.y, &s_.z, &s_.squared, &s_.reach, &s_.diameter_first, &s_.closing,
+              &s_.mass, &s_.inverse, &s_.energy, &s_.elastic, &s_.force})
             grow(*column, size);
         grow(s_.contacts, size);
     }
@@ -182,27 +179,15 @@ class TileForces {
 
     /// s_.force and s_.elastic become the forces over the distance, ready to be multiplied with r.
     ContactSums find_forces(std::size_t contacts) {
-        pad(contacts);
+        const std::size_t end = pad(contacts);
+        find_magnitudes(end);
         LaneSums energy, magnitudes;
-        for (std::size_t begin = 0; begin < contacts; begin += lanes) {
+        for (std::size_t begin = 0; begin < end; begin += lanes) {
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 const std::size_t c = begin + lane;
-                // Coincident centers have no direction: they get a force of zero, not of NaN.
-                const double distance = std::sqrt(std::max(s_.distance[c], 1e-300));
-                const double overlap = s_.reach[c] - distance;
-                const double inverse = 1.0 / distance;
-                const double diameter = needs_diameters ? s_.diameter_first[c] : 1.0;
-                const double other = 2.0 * s_.reach[c] - diameter;
-                const double elastic = law_.force(overlap, diameter, other);
-                double force = elastic;
-                if constexpr (damped) {
-                    force =
-                        std::max(0.0, elastic - damping_ * s_.mass[c] * s_.closing[c] * inverse);
-                    s_.elastic[c] = elastic * inverse;
-                }
-                s_.force[c] = force * inverse;
-                energy[lane] += law_.energy(overlap, diameter, other);
-                magnitudes[lane] += force;
+                energy[lane] += s_.energy[c];
+                magnitudes[lane] += s_.force[c];
+                s_.force[c] *= s_.inverse[c];
             }
         }
         ContactSums sums;
@@ -212,6 +197,31 @@ class TileForces {
         sums.force_magnitudes = sum_of(magnitudes);
         sums.contacts = static_cast<Count>(contacts);
         return sums;
+    }
+
+    /// Forces, energies and inverse distances, and the elastic forces over the distance. From
+    /// columns to columns, so that a compiler can run many contacts at a time.
+    void find_magnitudes(std::size_t end) {
+        const auto larger = [](double a, double b) { return a > b ? a : b; };
+#pragma GCC ivdep
+        for (std::size_t c = 0; c < end; ++c) {
+            // Coincident centers have no direction: they get a force of zero, not of NaN.
+            const double distance = std::sqrt(larger(s_.squared[c], 1e-300));
+            const double overlap = s_.reach[c] - distance;
+            const double inverse = 1.0 / distance;
+            const double diameter = needs_diameters ? s_.diameter_first[c] : 1.0;
+            const double other = 2.0 * s_.reach[c] - diameter;
+            const double elastic = law_.force(overlap, diameter, other);
+            s_.inverse[c] = inverse;
+            s_.energy[c] = law_.energy(overlap, diameter, other);
+            if constexpr (damped) {
+                const double damping = damping_ * s_.mass[c] * s_.closing[c] * inverse;
+                s_.force[c] = larger(0.0, elastic - damping);
+                s_.elastic[c] = elastic * inverse;
+            } else {
+                s_.force[c] = elastic;
+            }
+        }
     }
 
     /// Sum over contacts of (f/|r|) r r^T.
@@ -234,13 +244,13 @@ class TileForces {
         return symmetric(sum_of(xx), sum_of(xy), sum_of(xz), sum_of(yy), sum_of(yz), sum_of(zz));
     }
 
-    /// Fills the last eight up with contacts that carry no force.
-    void pad(std::size_t contacts) {
-        const std::size_t end = contacts + lanes;
-        for (std::size_t c = contacts; c < end; ++c) {
+    /// Fills the last eight up with contacts that carry no force; returns where they end.
+    std::size_t pad(std::size_t contacts) {
+        for (std::size_t c = contacts; c < contacts + lanes; ++c) {
             s_.x[c] = s_.y[c] = s_.z[c] = s_.closing[c] = s_.mass[c] = 0.0;
-            s_.distance[c] = s_.reach[c] = s_.diameter_first[c] = 1.0;
+            s_.squared[c] = s_.reach[c] = s_.diameter_first[c] = 1.0;
         }
+        return (contacts + lanes - 1) / lanes * lanes;
     }
 
     void add_forces(std::size_t contacts) {

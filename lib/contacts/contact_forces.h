@@ -39,7 +39,9 @@ struct ForceScratch {
         std::vector<Sphere> spheres;  ///< of the participants: Cartesian center and diameter
         std::vector<Motion> motions;
         std::vector<Load> loads;
-        std::vector<double> x, y, z, distance, reach, diameter_first, closing, mass, elastic, force;
+        /// By contact: from the second center to the first, and what follows from it.
+        std::vector<double> x, y, z, squared, reach, diameter_first, closing, mass, inverse, energy,
+            elastic, force;
         std::vector<TilePair> contacts;
         LiveTileScratch live;
     };

@@ -8,10 +8,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 
-#ifdef __AVX512VL__
+#ifdef __AVX__
 #include <immintrin.h>
 #endif
 
@@ -20,19 +19,32 @@ namespace jam {
 /// Three coordinates and one scalar of a particle, added and scaled at once.
 using Double4 = double __attribute__((vector_size(32)));
 
+/// The same wherever eight bytes are aligned, over memory of any type: read and written at once on
+/// every machine, where a compiler may take memcpy to pieces that the processor has to join.
+using Double4InMemory = Double4 __attribute__((aligned(8), may_alias));
+
 /// Reads a 32-byte record (Sphere, Motion, Load) as four numbers.
 template <typename Record>
 Double4 load4(const Record& record) {
     static_assert(sizeof(Record) == sizeof(Double4));
-    Double4 values;
-    std::memcpy(&values, static_cast<const void*>(&record), sizeof values);
-    return values;
+    static_assert(alignof(Record) >= alignof(Double4InMemory));
+    return *reinterpret_cast<const Double4InMemory*>(&record);
+}
+
+/// Reads a 64-byte record as twice four numbers.
+template <typename Record>
+std::array<Double4, 2> load8(const Record& record) {
+    static_assert(sizeof(Record) == 2 * sizeof(Double4));
+    static_assert(alignof(Record) >= alignof(Double4InMemory));
+    const auto* halves = reinterpret_cast<const Double4InMemory*>(&record);
+    return {halves[0], halves[1]};
 }
 
 template <typename Record>
 void store4(const Double4& values, Record& record) {
     static_assert(sizeof(Record) == sizeof(Double4));
-    std::memcpy(static_cast<void*>(&record), &values, sizeof values);
+    static_assert(alignof(Record) >= alignof(Double4InMemory));
+    *reinterpret_cast<Double4InMemory*>(&record) = values;
 }
 
 /// How many records before its turn one is asked for.
@@ -68,7 +80,7 @@ using Mask4 = std::int64_t __attribute__((vector_size(32)));
 
 /// One bit for each that is true, the first the lowest.
 inline unsigned bits_of(const Mask4& mask) {
-#ifdef __AVX512VL__
+#ifdef __AVX__
     return static_cast<unsigned>(_mm256_movemask_pd(std::bit_cast<__m256d>(mask)));
 #else
     unsigned bits = 0;
@@ -82,23 +94,53 @@ inline unsigned bits_of_first(int count) {
     return (1u << count) - 1;
 }
 
-/// Writes those of four numbers whose bits are set, one after the other. `to` has room for four:
-/// what is behind them is overwritten with anything.
-inline void store_packed(const Double4& values, unsigned bits, double* to) {
-#ifdef __AVX512VL__
-    _mm256_storeu_pd(to, _mm256_maskz_compress_pd(static_cast<__mmask8>(bits), values));
+/// For each choice of four things the places of the chosen ones, in order, then anything.
+struct alignas(16) PackedOrder {
+    std::array<std::int32_t, 4> place{};
+};
+inline constexpr std::array<PackedOrder, 16> packed_orders = [] {
+    std::array<PackedOrder, 16> orders;
+    for (unsigned bits = 0; bits < 16; ++bits) {
+        std::size_t end = 0;
+        for (int k = 0; k < 4; ++k)
+            if ((bits >> k & 1u) != 0) orders[bits].place[end++] = k;
+    }
+    return orders;
+}();
+
+/// Writes those of four 32-bit records whose bits are set, one after the other, and returns how
+/// many they are. `to` has room for four: what is behind them is overwritten with anything.
+template <typename Record>
+std::size_t store_packed(const Record* four, unsigned bits, Record* to) {
+    static_assert(sizeof(Record) == 4);
+#ifdef __AVX__
+    const __m128i order = _mm_load_si128(reinterpret_cast<const __m128i*>(&packed_orders[bits]));
+    const __m128 records = _mm_loadu_ps(reinterpret_cast<const float*>(four));
+    _mm_storeu_ps(reinterpret_cast<float*>(to), _mm_permutevar_ps(records, order));
 #else
+    Record* end = to;
     for (unsigned k = 0; k < 4; ++k) {
-        *to = values[k];
-        to += bits >> k & 1u;
+        *end = four[k];
+        end += bits >> k & 1u;
     }
 #endif
+    return static_cast<std::size_t>(std::popcount(bits));
+}
+
+/// Writes four numbers one after the other.
+inline void store_lanes(const Double4& values, double* to) {
+    *reinterpret_cast<Double4InMemory*>(to) = values;
 }
 
 /// Four records side by side: x holds the first number of each, w the last.
 struct Columns4 {
     Double4 x, y, z, w;
 };
+
+/// x^2 + y^2 + z^2 of each.
+inline Double4 squared_length(const Columns4& v) {
+    return v.x * v.x + v.y * v.y + v.z * v.z;
+}
 
 /// Records into columns, or columns into records.
 inline Columns4 transposed(const Columns4& m) {
@@ -132,9 +174,8 @@ using Float16 = float __attribute__((vector_size(64)));
 using Mask16 = std::int32_t __attribute__((vector_size(64)));
 
 inline Float16 load_lanes(const float* from) {
-    Float16 lanes;
-    std::memcpy(&lanes, from, sizeof lanes);
-    return lanes;
+    using InMemory = Float16 __attribute__((aligned(4), may_alias));
+    return *reinterpret_cast<const InMemory*>(from);
 }
 
 }  // namespace jam

@@ -36,17 +36,13 @@ constexpr double kept_by_loose_ones = 0.9999;
 /// In top speeds: below it they stop, for nobody is pushed along so slowly.
 constexpr double standstill_of_loose_ones = 1e-6;
 
-Double4 dot(const Columns4& a, const Columns4& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 double sum_of_forces(std::span<const Index> awake, const std::vector<Load>& loads) {
     double sum = 0.0;
     for_each_quad(
         awake, [](std::size_t) {},
         [&](const Quad& quad) {
             const Columns4 load = load_columns(loads, quad);
-            const Double4 squared = dot(load, load);
+            const Double4 squared = squared_length(load);
             for (int k = 0; k < quad.count; ++k) sum += std::sqrt(squared[k]);
         });
     return sum;
@@ -152,7 +148,7 @@ class Mover {
         sphere.y += change.y;
         sphere.z += change.z;
         store_columns(sphere, quad, particles_.spheres);
-        return dot(step, step);
+        return squared_length(step);
     }
 
   private:
@@ -165,7 +161,7 @@ class Mover {
         Columns4 after = {before.x * keep + push.x * move_.push,
                           before.y * keep + push.y * move_.push,
                           before.z * keep + push.z * move_.push, metric.mass};
-        Double4 squared = dot(after, after);
+        Double4 squared = squared_length(after);
         const Mask4 too_fast = squared > Double4{} + top_speed_ * top_speed_;
         if (bits_of(too_fast) != 0) scale(too_fast, squared, after);
         const double standstill = standstill_of_loose_ones * top_speed_;
@@ -175,7 +171,7 @@ class Mover {
         after.z = stops ? Double4{} : after.z;
         // Who is idle depends on the state alone, who is active on the tiles, too: what the idle
         // ones have must not.
-        const Mask4 idle = ~touches & (dot(before, before) == Double4{});
+        const Mask4 idle = ~touches & (squared_length(before) == Double4{});
         after.w = idle ? before.w : after.w;
         return after;
     }

@@ -14,7 +14,6 @@
 #include "particles/particles.h"
 
 #include <array>
-#include <cstring>
 #include <vector>
 
 namespace jam {
@@ -57,12 +56,12 @@ struct QuadResponse {
 };
 
 inline QuadResponse load_responses(const std::vector<BlockResponse>& responses, const Quad& quad) {
-    std::array<std::array<Double4, 2>, 4> rows;
-    static_assert(sizeof(BlockResponse) == sizeof rows[0]);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-        std::memcpy(&rows[k], static_cast<const void*>(&responses[quad.at[k]]), sizeof rows[k]);
-    const Columns4 first = transposed({rows[0][0], rows[1][0], rows[2][0], rows[3][0]});
-    const Columns4 second = transposed({rows[0][1], rows[1][1], rows[2][1], rows[3][1]});
+    const std::array<Double4, 2> a = load8(responses[quad.at[0]]);
+    const std::array<Double4, 2> b = load8(responses[quad.at[1]]);
+    const std::array<Double4, 2> c = load8(responses[quad.at[2]]);
+    const std::array<Double4, 2> d = load8(responses[quad.at[3]]);
+    const Columns4 first = transposed({a[0], b[0], c[0], d[0]});
+    const Columns4 second = transposed({a[1], b[1], c[1], d[1]});
     return {first.x, first.y, first.z, first.w, second.x, second.y, second.z};
 }
 

@@ -32,22 +32,37 @@ TEST(Lanes, TheFourthComesFromTheOther) {
     EXPECT_EQ(mixed[3], 8);
 }
 
-TEST(Lanes, PacksThoseThatAreWanted) {
-    const Double4 values = {10, 11, 12, 13};
+TEST(Lanes, GivesOneBitForEachThatIsTrue) {
     for (unsigned bits = 0; bits < 16; ++bits) {
         Double4 wanted{};
-        std::vector<double> expected;
-        for (int k = 0; k < 4; ++k) {
-            if ((bits >> k & 1u) == 0) continue;
-            wanted[k] = 1.0;
-            expected.push_back(values[k]);
-        }
+        for (int k = 0; k < 4; ++k) wanted[k] = (bits >> k & 1u) != 0 ? 1.0 : 0.0;
         EXPECT_EQ(bits_of(wanted > Double4{}), bits);
-        std::vector<double> packed(4, -1.0);
-        store_packed(values, bits, packed.data());
-        packed.resize(expected.size());
+    }
+}
+
+TEST(Lanes, PacksThoseThatAreWanted) {
+    const std::vector<std::int32_t> records = {10, 11, 12, 13};
+    for (unsigned bits = 0; bits < 16; ++bits) {
+        std::vector<std::int32_t> expected;
+        for (unsigned k = 0; k < 4; ++k)
+            if ((bits >> k & 1u) != 0) expected.push_back(records[k]);
+        std::vector<std::int32_t> packed(4, -1);
+        packed.resize(store_packed(records.data(), bits, packed.data()));
         EXPECT_EQ(packed, expected) << "bits " << bits;
     }
+}
+
+TEST(Lanes, StoresFourInOrder) {
+    std::vector<double> stored(5, -1.0);
+    store_lanes(Double4{10, 11, 12, 13}, stored.data());
+    EXPECT_EQ(stored, (std::vector<double>{10, 11, 12, 13, -1}));
+}
+
+TEST(Lanes, SquaresLengthsWithoutTheFourthColumn) {
+    const Columns4 v = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16}};
+    const Double4 squared = squared_length(v);
+    for (int k = 0; k < 4; ++k)
+        EXPECT_EQ(squared[k], (k + 1) * (k + 1) + (k + 5) * (k + 5) + (k + 9) * (k + 9));
 }
 
 TEST(Lanes, FoursCoverEveryRecordOnceAndInOrder) {

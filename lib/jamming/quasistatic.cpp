@@ -34,7 +34,9 @@ constexpr Count steps_between_looks = 10;
 constexpr double many_contacts = 10'000.0;
 /// Of the fastest, however far from balance forces are, where the pressure may not rise.
 constexpr double slowest_descent = 0.01;
-/// Of the fastest descent, at twice the limit and beyond, where it may.
+/// In the limit: up to here the pressure waits, where it may rise beyond.
+constexpr double cundall_to_rise = 2.0;
+/// Of the fastest descent, from one limit beyond that on.
 constexpr double fastest_rise = 0.3;
 /// At a pressure that overlaps equal spheres by 1e-4.
 constexpr double turn_at_full_limit = 1e-2;
@@ -116,11 +118,12 @@ void bring_to_standstill(JamState& state) {
     state.list_reference = {};
 }
 
-/// Of the fastest descent, negative for a rise: what is out of balance slows the fall, and at its
-/// limit all but stops it or turns it round. `left` is the share of the limit that balance leaves,
-/// not a number without contacts.
+/// Of the fastest descent, negative for a rise: what is out of balance slows the fall, at its limit
+/// all but stops it, and from twice that on turns it round. `left` is the share of the limit that
+/// balance leaves, not a number without contacts.
 double share_of_descent(double left, bool may_rise) {
-    if (may_rise && left < 0.0) return fastest_rise * std::max(left, -1.0);
+    const double beyond = 1.0 - left - cundall_to_rise;
+    if (may_rise && beyond > 0.0) return -fastest_rise * std::min(beyond, 1.0);
     return left > slowest_descent ? left : slowest_descent;
 }
 

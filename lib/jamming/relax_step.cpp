@@ -21,6 +21,8 @@ constexpr double remembered = 0.99;  // of the fastest motion, a step
 // Fast modes are damped by forces that look ahead. And whoever runs into others must not shake them
 // loose, so nobody goes faster than a few overlaps a step.
 constexpr double friction_in_roots_of_overlap = 0.5;
+/// However high the pressure: where sizes are wide much moves far more slowly than buckling.
+constexpr double friction_at_high_pressure = 2e-3;
 /// Modes of a packing without contacts to spare are spread evenly down to the slowest, which is so
 /// many times slower than the fastest as there are contacts: less friction than it needs is of no
 /// use.
@@ -30,11 +32,11 @@ constexpr double fastest_in_overlaps = 20.0;  // in a step, of the smallest sphe
 /// The same in mean overlaps, which are more where small spheres bear nothing.
 constexpr double fastest_in_mean_overlaps = 1.0;
 
-/// Share of its velocity that a particle keeps in a step while it touches nothing. It must hardly
-/// lose any: what slides along pushes rattlers before it, and all that they lose it has to give.
-constexpr double kept_by_loose_ones = 0.9999;
+/// While a particle touches nothing, in that of the others. What slides along pushes rattlers
+/// before it and gives all that they lose; but what they keep heats the others.
+constexpr double friction_of_loose_ones = 0.2;
 /// In top speeds: below it they stop, for nobody is pushed along so slowly.
-constexpr double standstill_of_loose_ones = 1e-6;
+constexpr double standstill_of_loose_ones = 1e-4;
 
 double sum_of_forces(std::span<const Index> awake, const std::vector<Load>& loads) {
     double sum = 0.0;
@@ -78,9 +80,10 @@ double mean_overlap(const RelaxScratch& scratch, const Material& material, doubl
 }
 
 /// How velocities and places change in one step: v' = keep v + push M^-1 F, x' = x + back v +
-/// forth v'; and how fast a particle may be.
+/// forth v', with keep_loose in place of keep for who touches nothing; and how fast a particle may
+/// be.
 struct Move {
-    double keep, push, back, forth, top_speed;
+    double keep, keep_loose, push, back, forth, top_speed;
 };
 
 /// What is kept as a place is where the particle will be `look_ahead` later, x + look_ahead v, so
@@ -90,13 +93,17 @@ Move next_move(const RelaxSettings& settings, const RelaxScratch& scratch) {
     const double smallest_diameter = scratch.lists.smallest_diameter;
     const double overlap =
         relative_overlap(settings.material, settings.pressure.trace() / 3.0, smallest_diameter);
-    const double friction =
-        std::max(friction_in_roots_of_overlap * std::sqrt(overlap),
-                 friction_per_contact / static_cast<double>(scratch.sums.contacts + 1));
+    const double of_slow_modes =
+        std::min(friction_in_roots_of_overlap * std::sqrt(overlap), friction_at_high_pressure);
+    const double of_the_slowest =
+        friction_per_contact / static_cast<double>(scratch.sums.contacts + 1);
+    const double loss =
+        std::min(most_friction, std::max(of_slow_modes, of_the_slowest) * settings.time_step);
     const double farthest = std::max(
         fastest_in_overlaps * overlap * smallest_diameter,
         fastest_in_mean_overlaps * mean_overlap(scratch, settings.material, smallest_diameter));
-    return {.keep = 1.0 - std::min(most_friction, friction * settings.time_step),
+    return {.keep = 1.0 - loss,
+            .keep_loose = 1.0 - friction_of_loose_ones * loss,
             .push = settings.time_step,
             .back = -settings.look_ahead,
             .forth = settings.time_step + settings.look_ahead,
@@ -155,8 +162,7 @@ class Mover {
     Columns4 motion(const Columns4& before, const Columns4& load,
                     const QuadResponse& metric) const {
         const Mask4 touches = load.w > 0.0;
-        const Double4 all = Double4{} + move_.keep;
-        const Double4 keep = touches ? all : kept_by_loose_ones * all;
+        const Double4 keep = touches ? Double4{} + move_.keep : Double4{} + move_.keep_loose;
         const Columns4 push = metric(load);
         Columns4 after = {before.x * keep + push.x * move_.push,
                           before.y * keep + push.y * move_.push,

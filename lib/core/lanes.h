@@ -168,14 +168,58 @@ void for_each_four(std::span<const Record> records, Body&& body) {
     body(last.data(), static_cast<int>(records.size() - begin));
 }
 
-/// Sixteen single-precision numbers and what a comparison of them gives (-1 true, 0 false).
+/// Eight single-precision numbers and what a comparison of them gives (-1 true, 0 false).
+using Float8 = float __attribute__((vector_size(32)));
+using Mask8 = std::int32_t __attribute__((vector_size(32)));
+
+inline Float8 load_eight(const float* from) {
+    using InMemory = Float8 __attribute__((aligned(4), may_alias));
+    return *reinterpret_cast<const InMemory*>(from);
+}
+
+/// One bit for each that is true, the first the lowest.
+inline std::uint32_t bits_of(const Mask8& mask) {
+#ifdef __AVX__
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(std::bit_cast<__m256>(mask)));
+#else
+    std::uint32_t bits = 0;
+    for (int k = 0; k < 8; ++k) bits |= (static_cast<std::uint32_t>(mask[k]) & 1u) << k;
+    return bits;
+#endif
+}
+
+/// Sixteen single-precision numbers. Without AVX-512 comparisons of them are taken to pieces by
+/// GCC: those are better made of eight.
 inline constexpr int lane_count = 16;
 using Float16 = float __attribute__((vector_size(64)));
-using Mask16 = std::int32_t __attribute__((vector_size(64)));
+
+/// Sixteen 32-bit words.
+using Word16 = std::uint32_t __attribute__((vector_size(64)));
 
 inline Float16 load_lanes(const float* from) {
     using InMemory = Float16 __attribute__((aligned(4), may_alias));
     return *reinterpret_cast<const InMemory*>(from);
+}
+inline Word16 load_lanes(const std::uint32_t* from) {
+    using InMemory = Word16 __attribute__((aligned(4), may_alias));
+    return *reinterpret_cast<const InMemory*>(from);
+}
+
+/// Writes those of sixteen numbers or words whose bits are set, one after the other, and returns
+/// how many they are. `to` has room for sixteen: what is behind them is overwritten with anything.
+template <typename Lanes, typename Value>
+std::size_t store_packed(const Lanes& lanes, std::uint32_t bits, Value* to) {
+    static_assert(sizeof(Lanes) == 64 && sizeof(Value) == 4);
+#if defined(__AVX512F__)
+    const auto packed =
+        _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), std::bit_cast<__m512i>(lanes));
+    _mm512_storeu_si512(to, packed);
+#else
+    const auto values = std::bit_cast<std::array<Value, lane_count> >(lanes);
+    for (std::uint32_t left = bits & 0xffffu; left != 0; left &= left - 1)
+        *to++ = values[static_cast<std::size_t>(std::countr_zero(left))];
+#endif
+    return static_cast<std::size_t>(std::popcount(bits & 0xffffu));
 }
 
 }  // namespace jam

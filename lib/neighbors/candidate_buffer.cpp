@@ -6,22 +6,6 @@
 
 namespace jam {
 
-/// Those of sixteen words whose bit is set, one after the other; returns where the next one goes.
-/// Up to `to + 16` may be overwritten.
-static std::uint32_t* copy_lanes(const std::uint32_t* words, std::uint32_t bits,
-                                 std::uint32_t* to) {
-#if defined(__AVX512F__)
-    // No branch on which candidates are near: nobody could predict it.
-    const __m512i kept =
-        _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_loadu_si512(words));
-    _mm512_storeu_si512(to, kept);
-    return to + std::popcount(bits & 0xffffu);
-#else
-    for (; bits != 0; bits &= bits - 1) *to++ = words[std::countr_zero(bits)];
-    return to;
-#endif
-}
-
 void CandidateBuffer::reserve(int count) {
     const auto needed = static_cast<std::size_t>(count + 2 * lane_count);
     if (word_.size() >= needed) return;
@@ -53,12 +37,10 @@ std::size_t CandidateBuffer::copy_near(int member, std::uint32_t* to) const {
     for (int at = first; at < size_; at += lane_count, behind = ~0u) {
         const std::uint32_t near = behind & near_lanes(x_.data() + at, y_.data() + at,
                                                        z_.data() + at, reach_.data() + at, center);
-        to = copy_lanes(word_.data() + at, near, to);
+        to += store_packed(load_lanes(word_.data() + at), near, to);
     }
     return static_cast<std::size_t>(to - begin);
 }
-
-#if defined(__AVX512F__)
 
 void CandidateBuffer::append_near(const LocalSpheres& local, Index begin, Index end,
                                   const LocalSphere& offset, const LocalSphere& bounds,
@@ -67,7 +49,7 @@ void CandidateBuffer::append_near(const LocalSpheres& local, Index begin, Index 
     // The bounds are moved instead of the candidates; only those kept are moved.
     const LocalSphere moved{bounds.x - offset.x, bounds.y - offset.y, bounds.z - offset.z,
                             bounds.reach};
-    const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    constexpr Word16 lane = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     for (Index first = begin; first < end; first += lane_count) {
         const auto from = static_cast<std::size_t>(first);
         const float* const x = local.x.data() + from;
@@ -77,51 +59,16 @@ void CandidateBuffer::append_near(const LocalSpheres& local, Index begin, Index 
         std::uint32_t near = near_lanes(x, y, z, reach, moved);
         if (end - first < lane_count) near &= (1u << (end - first)) - 1u;
         if (near == 0) continue;
-        const auto mask = static_cast<__mmask16>(near);
+        // No branch on which candidates are near: nobody could predict it.
         const auto to = static_cast<std::size_t>(size_);
-        const auto keep = [&](const float* values, float shift, std::vector<float>& column) {
-            const __m512 kept = _mm512_maskz_compress_ps(mask, _mm512_loadu_ps(values));
-            _mm512_storeu_ps(column.data() + to, _mm512_add_ps(kept, _mm512_set1_ps(shift)));
-        };
-        keep(x, offset.x, x_);
-        keep(y, offset.y, y_);
-        keep(z, offset.z, z_);
-        keep(reach, 0.0f, reach_);
-        const std::uint32_t first_word = Neighbor(first, image).word();
-        const __m512i words =
-            _mm512_add_epi32(_mm512_set1_epi32(static_cast<int>(first_word)), lane);
-        _mm512_storeu_si512(word_.data() + to, _mm512_maskz_compress_epi32(mask, words));
+        store_packed(load_lanes(x) + offset.x, near, x_.data() + to);
+        store_packed(load_lanes(y) + offset.y, near, y_.data() + to);
+        store_packed(load_lanes(z) + offset.z, near, z_.data() + to);
+        store_packed(load_lanes(reach), near, reach_.data() + to);
+        store_packed(lane + Neighbor(first, image).word(), near, word_.data() + to);
         size_ += std::popcount(near);
     }
 }
-
-#else
-
-void CandidateBuffer::append_near(const LocalSpheres& local, Index begin, Index end,
-                                  const LocalSphere& offset, const LocalSphere& bounds,
-                                  std::uint32_t image) {
-    reserve(size_ + (end - begin));
-    const LocalSphere moved{bounds.x - offset.x, bounds.y - offset.y, bounds.z - offset.z,
-                            bounds.reach};
-    for (Index first = begin; first < end; first += lane_count) {
-        const auto from = static_cast<std::size_t>(first);
-        std::uint32_t near = near_lanes(local.x.data() + from, local.y.data() + from,
-                                        local.z.data() + from, local.reach.data() + from, moved);
-        if (end - first < lane_count) near &= (1u << (end - first)) - 1u;
-        for (; near != 0; near &= near - 1) {
-            const int lane = std::countr_zero(near);
-            const auto k = from + static_cast<std::size_t>(lane);
-            const auto to = static_cast<std::size_t>(size_++);
-            x_[to] = local.x[k] + offset.x;
-            y_[to] = local.y[k] + offset.y;
-            z_[to] = local.z[k] + offset.z;
-            reach_[to] = local.reach[k];
-            word_[to] = Neighbor(first + lane, image).word();
-        }
-    }
-}
-
-#endif
 
 void CandidateBuffer::pad() {
     reserve(size_);

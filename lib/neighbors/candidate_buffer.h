@@ -23,8 +23,18 @@ struct LocalSphere {
     float x, y, z, reach;
 };
 
-/// Bit k is set where sphere k of sixteen comes within reach of `center`. No fused multiply-add, so
+/// Bit k is set where sphere k of eight comes within reach of `center`. No fused multiply-add, so
 /// that every instruction set gives the same bits.
+inline std::uint32_t near_eight(const float* x, const float* y, const float* z, const float* reach,
+                                const LocalSphere& center) {
+    const Float8 dx = load_eight(x) - center.x;
+    const Float8 dy = load_eight(y) - center.y;
+    const Float8 dz = load_eight(z) - center.z;
+    const Float8 cut = load_eight(reach) + center.reach;
+    return bits_of((dx * dx + dy * dy) + dz * dz <= cut * cut);
+}
+
+/// The same of sixteen.
 inline std::uint32_t near_lanes(const float* x, const float* y, const float* z, const float* reach,
                                 const LocalSphere& center) {
 #if defined(__AVX512F__)
@@ -36,14 +46,8 @@ inline std::uint32_t near_lanes(const float* x, const float* y, const float* z, 
         _mm512_add_ps(_mm512_mul_ps(dx, dx), _mm512_mul_ps(dy, dy)), _mm512_mul_ps(dz, dz));
     return _mm512_cmp_ps_mask(distance_squared, _mm512_mul_ps(cut, cut), _CMP_LE_OQ);
 #else
-    const Float16 dx = load_lanes(x) - center.x;
-    const Float16 dy = load_lanes(y) - center.y;
-    const Float16 dz = load_lanes(z) - center.z;
-    const Float16 cut = load_lanes(reach) + center.reach;
-    const Mask16 near = (dx * dx + dy * dy) + dz * dz <= cut * cut;
-    std::uint32_t bits = 0;
-    for (int k = 0; k < lane_count; ++k) bits |= (static_cast<std::uint32_t>(near[k]) & 1u) << k;
-    return bits;
+    return near_eight(x, y, z, reach, center) | near_eight(x + 8, y + 8, z + 8, reach + 8, center)
+                                                    << 8;
 #endif
 }
 

@@ -40,6 +40,14 @@ TEST(Lanes, GivesOneBitForEachThatIsTrue) {
     }
 }
 
+TEST(Lanes, GivesOneBitForEachOfEightThatIsTrue) {
+    for (std::uint32_t bits = 0; bits < 256; ++bits) {
+        Float8 wanted{};
+        for (int k = 0; k < 8; ++k) wanted[k] = (bits >> k & 1u) != 0 ? 1.0f : 0.0f;
+        EXPECT_EQ(bits_of(wanted > Float8{}), bits);
+    }
+}
+
 TEST(Lanes, PacksThoseThatAreWanted) {
     const std::vector<std::int32_t> records = {10, 11, 12, 13};
     for (unsigned bits = 0; bits < 16; ++bits) {
@@ -49,6 +57,31 @@ TEST(Lanes, PacksThoseThatAreWanted) {
         std::vector<std::int32_t> packed(4, -1);
         packed.resize(store_packed(records.data(), bits, packed.data()));
         EXPECT_EQ(packed, expected) << "bits " << bits;
+    }
+}
+
+TEST(Lanes, PacksThoseOfSixteenThatAreWanted) {
+    std::vector<float> numbers;
+    std::vector<std::uint32_t> words;
+    for (std::uint32_t k = 0; k < lane_count; ++k) {
+        numbers.push_back(100.0f + static_cast<float>(k));
+        words.push_back(200 + k);
+    }
+    for (std::uint32_t bits : {0u, 1u, 0x8000u, 0x00ffu, 0xff00u, 0x1234u, 0xa5c3u, 0xffffu}) {
+        std::vector<float> expected_numbers;
+        std::vector<std::uint32_t> expected_words;
+        for (std::size_t k = 0; k < lane_count; ++k) {
+            if ((bits >> k & 1u) == 0) continue;
+            expected_numbers.push_back(numbers[k]);
+            expected_words.push_back(words[k]);
+        }
+        std::vector<float> packed_numbers(lane_count);
+        std::vector<std::uint32_t> packed_words(lane_count);
+        packed_numbers.resize(
+            store_packed(load_lanes(numbers.data()), bits, packed_numbers.data()));
+        packed_words.resize(store_packed(load_lanes(words.data()), bits, packed_words.data()));
+        EXPECT_EQ(packed_numbers, expected_numbers) << "bits " << bits;
+        EXPECT_EQ(packed_words, expected_words) << "bits " << bits;
     }
 }
 

@@ -178,7 +178,7 @@ inline Float8 load_eight(const float* from) {
 }
 
 /// One bit for each that is true, the first the lowest.
-inline std::uint32_t bits_of(const Mask8& mask) {
+inline std::uint32_t bits_of_eight(const Mask8& mask) {
 #ifdef __AVX__
     return static_cast<std::uint32_t>(_mm256_movemask_ps(std::bit_cast<__m256>(mask)));
 #else

@@ -31,7 +31,7 @@ inline std::uint32_t near_eight(const float* x, const float* y, const float* z, 
     const Float8 dy = load_eight(y) - center.y;
     const Float8 dz = load_eight(z) - center.z;
     const Float8 cut = load_eight(reach) + center.reach;
-    return bits_of((dx * dx + dy * dy) + dz * dz <= cut * cut);
+    return bits_of_eight((dx * dx + dy * dy) + dz * dz <= cut * cut);
 }
 
 /// The same of sixteen.

@@ -59,7 +59,7 @@ do for [format in "svg png"] {
              data using "evaluations":(shown(error)):(column(error."_se")) with yerrorbars \
                  linecolor rgb kind_color(2) pointtype 7 pointsize 0.6 notitle, \
              data using "evaluations":(shown(error)):(label_of($0, front)) \
-                 with labels left offset 0.7,0.5 font ",10" noenhanced notitle
+                 with labels left rotate by 30 offset 0.4,0.4 font ",10" noenhanced notitle
     }
     unset multiplot
     unset output

@@ -44,7 +44,7 @@ TEST(Lanes, GivesOneBitForEachOfEightThatIsTrue) {
     for (std::uint32_t bits = 0; bits < 256; ++bits) {
         Float8 wanted{};
         for (int k = 0; k < 8; ++k) wanted[k] = (bits >> k & 1u) != 0 ? 1.0f : 0.0f;
-        EXPECT_EQ(bits_of(wanted > Float8{}), bits);
+        EXPECT_EQ(bits_of_eight(wanted > Float8{}), bits);
     }
 }
 

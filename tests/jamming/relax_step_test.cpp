@@ -159,5 +159,22 @@ TEST(RelaxStep, OneThatMovesIsActiveThoughItTouchesNothing) {
     EXPECT_NE(state.particles.spheres[17].center, before);
 }
 
+TEST(RelaxStep, WhoeverTouchesNothingLosesAFifthAsMuchAndStopsInTheEnd) {
+    JamState state = pressed_spheres();
+    state.cell = PeriodicCell(Mat3(4.0 * state.cell.matrix()));
+    const RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
+    begin(state, settings);  // sorts
+    const Vec3 fast(1e-3, 0.0, 0.0);
+    const Vec3 slow(1e-8, 0.0, 0.0);  // the top speed is 20 overlaps of 1e-4 a step
+    state.particles.motions[17].velocity = fast;
+    state.particles.motions[18].velocity = slow;
+    RelaxScratch scratch = begin(state, settings);
+    ASSERT_EQ(scratch.sums.contacts, 0);
+    relax_step(state, settings, scratch);
+    // Without contacts friction takes half of every velocity.
+    EXPECT_NEAR(state.particles.motions[17].velocity.x(), (1.0 - 0.2 * 0.5) * fast.x(), 1e-12);
+    EXPECT_EQ(state.particles.motions[18].velocity, Vec3(Vec3::Zero()));
+}
+
 }  // namespace
 }  // namespace jam

@@ -177,7 +177,8 @@ inline Float8 load_eight(const float* from) {
     return *reinterpret_cast<const InMemory*>(from);
 }
 
-/// One bit for each that is true, the first the lowest.
+/// One bit for each that is true, the first the lowest. No overload of bits_of: compilers differ in
+/// what type a comparison of doubles has, and would not know which is meant.
 inline std::uint32_t bits_of_eight(const Mask8& mask) {
 #ifdef __AVX__
     return static_cast<std::uint32_t>(_mm256_movemask_ps(std::bit_cast<__m256>(mask)));
@@ -211,11 +212,13 @@ template <typename Lanes, typename Value>
 std::size_t store_packed(const Lanes& lanes, std::uint32_t bits, Value* to) {
     static_assert(sizeof(Lanes) == 64 && sizeof(Value) == 4);
 #if defined(__AVX512F__)
+    // No branch on which are chosen: nobody could predict it.
     const auto packed =
         _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), std::bit_cast<__m512i>(lanes));
     _mm512_storeu_si512(to, packed);
 #else
-    const auto values = std::bit_cast<std::array<Value, lane_count> >(lanes);
+    using Values = std::array<Value, lane_count>;
+    const auto values = std::bit_cast<Values>(lanes);
     for (std::uint32_t left = bits & 0xffffu; left != 0; left &= left - 1)
         *to++ = values[static_cast<std::size_t>(std::countr_zero(left))];
 #endif

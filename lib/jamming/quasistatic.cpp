@@ -119,11 +119,11 @@ void bring_to_standstill(JamState& state) {
 }
 
 /// Of the fastest descent, negative for a rise: what is out of balance slows the fall, at its limit
-/// all but stops it, and from twice that on turns it round. `left` is the share of the limit that
-/// balance leaves, not a number without contacts.
-double share_of_descent(double left, bool may_rise) {
-    const double beyond = 1.0 - left - cundall_to_rise;
+/// all but stops it, and from twice that on turns it round.
+double share_of_descent(double cundall_in_limits, bool may_rise) {
+    const double beyond = cundall_in_limits - cundall_to_rise;
     if (may_rise && beyond > 0.0) return -fastest_rise * std::min(beyond, 1.0);
+    const double left = 1.0 - cundall_in_limits;
     return left > slowest_descent ? left : slowest_descent;
 }
 
@@ -261,7 +261,7 @@ void QuasistaticRun::apply(double pressure) {
 
 void QuasistaticRun::relax() {
     relax_step(state_, settings_.relax, *relaxation_);
-    const double share = share_of_descent(left_to_limit(), may_rise());
+    const double share = share_of_descent(cundall_in_limits(), may_rise());
     if (!at_foot() || share < 0.0)
         descend(share);
     else if ((state_.step - state_.quasistatic.foot_begin) % steps_between_looks == 0)
@@ -279,11 +279,11 @@ double QuasistaticRun::highest_pressure() const {
 
 /// The limit falls with the pressure, since a network that flows at a share of its forces closes
 /// fewer contacts than it opens where the overlaps are small.
-double QuasistaticRun::left_to_limit() const {
+double QuasistaticRun::cundall_in_limits() const {
     const double turn = slowest_turn();
     const double share_of_limit = std::clamp(turn / turn_at_full_limit, least_limit, 1.0);
     const double limit = std::min(settings_.descent.cundall * share_of_limit, turn);
-    return 1.0 - relaxation_->cundall() / limit;
+    return relaxation_->cundall() / limit;
 }
 
 /// Where the limit falls: an event ends the sooner the harder it is pressed, and the network that

@@ -66,8 +66,8 @@ class QuasistaticRun {
     void descend(double share);
     /// Up to where it may rise.
     double highest_pressure() const;
-    /// Share of the Cundall parameter's limit; negative beyond it.
-    double left_to_limit() const;
+    /// Cundall parameter over its limit; not a number without contacts.
+    double cundall_in_limits() const;
     bool may_rise() const;
     /// Of buckling, in the metric's units of time.
     double slowest_turn() const;

@@ -59,7 +59,6 @@ void CandidateBuffer::append_near(const LocalSpheres& local, Index begin, Index 
         std::uint32_t near = near_lanes(x, y, z, reach, moved);
         if (end - first < lane_count) near &= (1u << (end - first)) - 1u;
         if (near == 0) continue;
-        // No branch on which candidates are near: nobody could predict it.
         const auto to = static_cast<std::size_t>(size_);
         store_packed(load_lanes(x) + offset.x, near, x_.data() + to);
         store_packed(load_lanes(y) + offset.y, near, y_.data() + to);

@@ -90,7 +90,7 @@ class TileMaker {
         const Columns4 s = transposed({separation(neighbors[0]), separation(neighbors[1]),
                                        separation(neighbors[2]), separation(neighbors[3])});
         const Columns4 r = to_cartesian_(s);
-        const Double4 squared = r.x * r.x + r.y * r.y + r.z * r.z;
+        const Double4 squared = squared_length(r);
         const Double4 diameter = Double4{} + sphere[3];
         const Double4 farthest = reach_.of(diameter, s.w);
         const Double4 closest = close_reach_.of(diameter, s.w);

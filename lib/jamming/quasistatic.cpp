@@ -28,15 +28,6 @@ constexpr double reference_overlap = 1e-3;  // in smallest diameters
 constexpr double reference_width = 5.0;     // mean diameter by volume, in smallest ones
 constexpr Count steps_between_looks = 10;
 
-// What slides far is driven by a small share of the pressure, and must not be held back: in the
-// metric's units slow modes turn over in 1 / sqrt(overlap), and friction is as weak as suits them.
-// Weaker still where the packing compacts: much moves far more slowly there than buckling. In the
-// descent that would set off more than comes to rest.
-constexpr double friction_in_turns = 0.5;
-constexpr double friction_while_compacting = 2e-3;
-/// In first pressures.
-constexpr double end_of_compaction = 0.9;
-
 // Events pass one after the other in a small packing and side by side in a large one: with fewer
 // contacts than this there are fewer to pass, and the pressure may fall faster by as much; but not
 // faster than the slowest of them turns over.
@@ -142,7 +133,7 @@ bool is_isotropic(const Mat3& pressure) {
 
 }  // namespace
 
-double narrowness(std::span<const double> diameters) {
+double automatic_compaction_pressure(const Material& material, std::span<const double> diameters) {
     const double smallest = *std::ranges::min_element(diameters);
     double cubes = 0.0;
     double fourths = 0.0;
@@ -151,15 +142,10 @@ double narrowness(std::span<const double> diameters) {
         fourths += std::pow(diameter, 4);
     }
     const double width = fourths / cubes / smallest;
-    return std::min(1.0, reference_width / width);
-}
-
-double automatic_compaction_pressure(const Material& material, std::span<const double> diameters) {
-    const double smallest = *std::ranges::min_element(diameters);
     const double force = with_elastic_law(material, [&](const auto& law) {
         return law.force(reference_overlap * smallest, smallest, smallest);
     });
-    return force / (smallest * smallest) * narrowness(diameters);
+    return force / (smallest * smallest) * std::min(1.0, reference_width / width);
 }
 
 QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& state) {
@@ -169,7 +155,6 @@ QuasistaticSettings quasistatic_settings(const Scene& scene, const JamState& sta
     settings.stop = scene.stop;
     settings.applied_pressure = protocol.pressure.trace() / 3.0;
     const std::vector<double> diameters = diameters_by_id(state.particles);
-    settings.narrowness = narrowness(diameters);
     const double automatic = automatic_compaction_pressure(scene.contact, diameters);
     settings.first_pressure = std::max(protocol.descent.compaction_pressure.value_or(automatic),
                                        settings.applied_pressure);
@@ -218,18 +203,6 @@ Mat3 QuasistaticRun::pressure_now() const {
     return protocol_.pressure * (state_.quasistatic.pressure / settings_.applied_pressure);
 }
 
-double QuasistaticRun::friction_now() const {
-    const double friction = friction_in_turns * slowest_turn();
-    const bool compacts =
-        state_.quasistatic.pressure > end_of_compaction * settings_.first_pressure;
-    return compacts ? std::min(friction, friction_while_compacting) : friction;
-}
-
-void QuasistaticRun::follow_pressure() {
-    settings_.relax.pressure = pressure_now();
-    settings_.relax.friction = friction_now();
-}
-
 const ContactSums& QuasistaticRun::sums() const {
     return compacting() ? compaction_->sums : relaxation_->sums;
 }
@@ -254,7 +227,7 @@ void QuasistaticRun::begin() {
         if (state_.step == 0 && pressure > too_compact * settings_.first_pressure) begin_descent();
     } else {
         relaxation_.emplace(diameters_, lists_);
-        follow_pressure();
+        settings_.relax.pressure = pressure_now();
         begin_relaxation(state_, settings_.relax, *relaxation_);
     }
 }
@@ -283,7 +256,7 @@ void QuasistaticRun::apply(double pressure) {
     state_.quasistatic.foot_begin = state_.step;
     state_.quasistatic.last_whole = state_.step;
     state_.quasistatic.leap = {};
-    follow_pressure();
+    settings_.relax.pressure = pressure_now();
 }
 
 void QuasistaticRun::relax() {
@@ -322,9 +295,8 @@ bool QuasistaticRun::may_rise() const {
 }
 
 double QuasistaticRun::slowest_turn() const {
-    const double of_narrow_sizes = state_.quasistatic.pressure / settings_.narrowness;
-    return std::sqrt(
-        relative_overlap(scene_.contact, of_narrow_sizes, relaxation_->lists.smallest_diameter));
+    return std::sqrt(relative_overlap(scene_.contact, state_.quasistatic.pressure,
+                                      relaxation_->lists.smallest_diameter));
 }
 
 double QuasistaticRun::fastest_descent() const {

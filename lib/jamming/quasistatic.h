@@ -18,25 +18,19 @@ namespace jam {
 
 struct QuasistaticSettings {
     NphSettings compaction;  ///< masses by diameter, whatever the scene's
-    RelaxSettings relax;     ///< at the applied pressure; a run has them follow its own
+    RelaxSettings relax;     ///< at the applied pressure
     NewtonSettings newton;
     DescentSettings descent;
     StopSettings stop;
     double first_pressure = 0.0;    ///< mean pressure from which the descent begins
     double climbed_pressure = 0.0;  ///< from where it begins anew
     double applied_pressure = 0.0;  ///< mean pressure at its foot
-    double narrowness = 1.0;        ///< of the diameters
     bool newton_serves = false;     ///< isotropic pressure, cell free in all components
 };
 
-/// 5 D_min / D_V, D_V the mean diameter by volume; at most 1. Wide sizes overlap as much as narrow
-/// ones do at a pressure that is less by this factor: what bears p D^2 gives by p D / k of its
-/// diameter, and the larger it is the more it bears.
-double narrowness(std::span<const double> diameters);
-
 /// Where the descent begins unless a scene says so: at the pressure that overlaps equal spheres by
-/// 1e-3 of the smallest diameter, times the narrowness, so that small spheres between large ones
-/// are not squeezed flat.
+/// 1e-3 of the smallest diameter, or less where sizes are wide, so that small spheres between large
+/// ones are not squeezed flat: at 5 D_min / D_V of it, D_V the mean diameter by volume.
 double automatic_compaction_pressure(const Material& material, std::span<const double> diameters);
 
 /// The descent never begins below the applied pressure.
@@ -75,7 +69,7 @@ class QuasistaticRun {
     /// Cundall parameter over its limit; not a number without contacts.
     double cundall_in_limits() const;
     bool may_rise() const;
-    /// Of buckling, in the metric's units of time: the square root of the relative overlap.
+    /// Of buckling, in the metric's units of time.
     double slowest_turn() const;
     /// Of the pressure, of itself a step; half as fast each time that the descent begins anew.
     double fastest_descent() const;
@@ -86,9 +80,6 @@ class QuasistaticRun {
     /// Whether it came into balance; says in the state when to try again.
     bool try_newton();
     Mat3 pressure_now() const;
-    /// Of slow modes, as RelaxSettings has it.
-    double friction_now() const;
-    void follow_pressure();
 
     const Scene& scene_;
     JamState& state_;

@@ -16,14 +16,18 @@ namespace {
 constexpr int steps_between_renewals = 50;
 constexpr double remembered = 0.99;  // of the fastest motion, a step
 
-// Fast modes are damped by forces that look ahead, slow ones by friction. Modes of a packing
-// without contacts to spare are spread evenly down to the slowest, which is so many times slower
-// than the fastest as there are contacts: less friction than it needs is of no use.
+// What slides far is driven by a small share of the pressure, and must not be held back: in the
+// metric's units slow modes turn over in 1 / sqrt(overlap), and friction is as weak as suits them.
+// Fast modes are damped by forces that look ahead. And whoever runs into others must not shake them
+// loose, so nobody goes faster than a few overlaps a step.
+constexpr double friction_in_roots_of_overlap = 0.5;
+/// However high the pressure: where sizes are wide much moves far more slowly than buckling.
+constexpr double friction_at_high_pressure = 2e-3;
+/// Modes of a packing without contacts to spare are spread evenly down to the slowest, which is so
+/// many times slower than the fastest as there are contacts: less friction than it needs is of no
+/// use.
 constexpr double friction_per_contact = 3.0;
-constexpr double most_friction = 0.5;  // of a velocity in a step
-
-/// Whoever runs into others must not shake them loose, so nobody goes faster than a few overlaps a
-/// step.
+constexpr double most_friction = 0.5;         // of a velocity in a step
 constexpr double fastest_in_overlaps = 20.0;  // in a step, of the smallest spheres
 /// The same in mean overlaps, which are more where small spheres bear nothing.
 constexpr double fastest_in_mean_overlaps = 1.0;
@@ -89,10 +93,12 @@ Move next_move(const RelaxSettings& settings, const RelaxScratch& scratch) {
     const double smallest_diameter = scratch.lists.smallest_diameter;
     const double overlap =
         relative_overlap(settings.material, settings.pressure.trace() / 3.0, smallest_diameter);
+    const double of_slow_modes =
+        std::min(friction_in_roots_of_overlap * std::sqrt(overlap), friction_at_high_pressure);
     const double of_the_slowest =
         friction_per_contact / static_cast<double>(scratch.sums.contacts + 1);
     const double loss =
-        std::min(most_friction, std::max(settings.friction, of_the_slowest) * settings.time_step);
+        std::min(most_friction, std::max(of_slow_modes, of_the_slowest) * settings.time_step);
     const double farthest = std::max(
         fastest_in_overlaps * overlap * smallest_diameter,
         fastest_in_mean_overlaps * mean_overlap(scratch, settings.material, smallest_diameter));

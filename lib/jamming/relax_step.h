@@ -20,7 +20,6 @@ struct RelaxSettings {
     /// 4: stiffness may double meanwhile.
     double time_step = 1.2;
     double look_ahead = 0.6;       ///< of the forces, in the same units
-    double friction = 2e-3;        ///< share of a velocity lost in a unit of that time
     double largest_move = 0.02;    ///< of a particle in a step, in smallest diameters
     double largest_strain = 1e-3;  ///< of the cell in a step
 };

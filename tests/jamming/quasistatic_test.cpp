@@ -171,41 +171,6 @@ TEST(Quasistatic, OnlyLargePackingsOfSmallOverlapsRiseWhereForcesAreOutOfBalance
     EXPECT_LT(change_of_pressure(small, 5e-5), 1.0);
 }
 
-/// Share of its velocity that a particle loses in a step while it touches nothing.
-double loss_of_a_loose_one(double first_pressures, double size_ratio) {
-    Scene scene = small_scene(8000);
-    PowerLaw sizes;
-    sizes.size_ratio = size_ratio;
-    sizes.alpha = 1.0;
-    scene.sizes.distribution = sizes;
-    scene.protocol.pressure = Mat3::Identity() * 1e-6;
-    JamState state = start_state(scene);
-    state.cell = PeriodicCell(0.78 * state.cell.matrix());
-    state.quasistatic.stage = QuasistaticState::Stage::relaxation;
-    state.quasistatic.pressure =
-        first_pressures * quasistatic_settings(scene, state).first_pressure;
-    QuasistaticRun run(scene, state);
-    run.begin();
-    std::size_t loose = 0;
-    while (touches_another(state.particles, loose)) ++loose;
-    const Vec3 velocity(1e-4, 0.0, 0.0);
-    state.particles.motions[loose].velocity = velocity;
-    run.begin();
-    run.advance();
-    return 1.0 - state.particles.motions[loose].velocity.x() / velocity.x();
-}
-
-TEST(Quasistatic, LittleFrictionCompactsAndMoreDescends) {
-    constexpr double time_step = 1.2;
-    constexpr double of_loose_ones = 0.2 * time_step;
-    EXPECT_NEAR(loss_of_a_loose_one(1.0, 2.0), of_loose_ones * 2e-3, 1e-9);
-    // The first pressure is one of overlaps of 1e-3, and friction 0.5 sqrt(overlap).
-    EXPECT_NEAR(loss_of_a_loose_one(0.5, 2.0), of_loose_ones * 0.5 * std::sqrt(5e-4), 1e-6);
-    EXPECT_NEAR(loss_of_a_loose_one(2e-3, 2.0), of_loose_ones * 0.5 * std::sqrt(2e-6), 1e-7);
-    EXPECT_NEAR(loss_of_a_loose_one(0.5, 20.0), of_loose_ones * 0.5 * std::sqrt(5e-4), 1e-6)
-        << "wide sizes overlap as much, at a tenth of the pressure";
-}
-
 TEST(Quasistatic, BeginsLowerWhereSizesAreWide) {
     const auto first_pressure = [](double size_ratio, ContactLaw law) {
         Scene scene = small_scene(2000);

@@ -159,29 +159,6 @@ TEST(RelaxStep, OneThatMovesIsActiveThoughItTouchesNothing) {
     EXPECT_NE(state.particles.spheres[17].center, before);
 }
 
-TEST(RelaxStep, WhoeverTouchesAnotherLosesTheShareOfFriction) {
-    JamState state = pressed_spheres();
-    RelaxSettings settings{.material = {}, .pressure = Mat3::Identity() * 1e-4};
-    settings.friction = 0.05;
-    RelaxScratch scratch = begin(state, settings);
-    for (int step = 0; step < 2000; ++step) relax_step(state, settings, scratch);
-    ASSERT_GT(scratch.sums.contacts, 100) << "more than 3 over their number";
-    JamState pushed = state;
-    const Vec3 push(1e-5, -2e-5, 1e-5);
-    for (Motion& motion : pushed.particles.motions) motion.velocity += push;
-    RelaxScratch pushed_scratch = begin(pushed, settings);
-    const Particles before = state.particles;
-    relax_step(state, settings, scratch);
-    relax_step(pushed, settings, pushed_scratch);
-    for (std::size_t i = 0; i < before.spheres.size(); ++i) {
-        ASSERT_EQ(pushed.particles.ids[i], state.particles.ids[i]);
-        if (!jam::touches_another(before, i)) continue;
-        const Vec3 more =
-            pushed.particles.motions[i].velocity - state.particles.motions[i].velocity;
-        EXPECT_NEAR((more - (1.0 - 0.05 * settings.time_step) * push).norm(), 0.0, 1e-15);
-    }
-}
-
 TEST(RelaxStep, WhoeverTouchesNothingLosesAFifthAsMuchAndStopsInTheEnd) {
     JamState state = pressed_spheres();
     state.cell = PeriodicCell(Mat3(4.0 * state.cell.matrix()));

@@ -353,7 +353,7 @@ ContactSums live_contact_forces(const PeriodicCell& cell, const Material& materi
                                 ForceScratch& scratch) {
     const auto sum_of = [&](std::size_t t, auto& forces, ForceScratch::Thread& of_thread) {
         LiveTile& live = scratch.live_tiles[t];
-        renew_live_tile(tiles.tiles[t], stirred, of_thread.live, live);
+        if (live.stale) renew_live_tile(tiles.tiles[t], stirred, of_thread.live, live);
         ContactSums sums = forces.evaluate(live, particles, loads.data(), scratch.slots.data());
         forces.find_woken(live, sums, scratch.woken_of_tile[t]);
         return sums;
@@ -370,9 +370,19 @@ void begin_live_tiles(const ContactTiles& tiles, ForceScratch& scratch) {
     scratch.live_tiles.resize(tiles.tiles.size());
     scratch.woken_of_tile.resize(tiles.tiles.size());
     for (LiveTile& live : scratch.live_tiles) {
-        live.stirred = -1;
+        live.stale = true;
         live.whole = false;
     }
+}
+
+void stir_live_tiles(const ContactTiles& tiles, std::span<const Index> newly_stirred,
+                     ForceScratch& scratch) {
+    // To look for that many takes longer than to make all anew.
+    if (newly_stirred.size() > tiles.tiles.size())
+        for (LiveTile& live : scratch.live_tiles) live.stale = true;
+    else
+        for (const Index i : newly_stirred)
+            tiles.for_each_tile_of(i, [&](std::size_t t) { scratch.live_tiles[t].stale = true; });
 }
 
 void add_halo_loads(const ContactTiles& tiles, Count block, const std::vector<Load>& slots,

@@ -66,13 +66,16 @@ ContactSums contact_forces(const PeriodicCell& cell, const Material& material,
 /// The same without damping for tiles most of whose particles rest: looks at their live pairs only
 /// (LiveTile). After new tiles begin_live_tiles must have been called. `stirred` is by particle;
 /// who is found to touch another without it is told in scratch.woken_of_tile, and must be stirred
-/// before it moves.
+/// before it moves; whoever stirs one tells stir_live_tiles.
 ContactSums live_contact_forces(const PeriodicCell& cell, const Material& material,
                                 const ContactTiles& tiles, std::span<const char> stirred,
                                 const Particles& particles, std::vector<Load>& loads,
                                 ForceScratch& scratch);
 
 void begin_live_tiles(const ContactTiles& tiles, ForceScratch& scratch);
+
+void stir_live_tiles(const ContactTiles& tiles, std::span<const Index> newly_stirred,
+                     ForceScratch& scratch);
 
 /// Adds the slots that belong to the particles of one block of ContactTiles::particles_per_block.
 void add_halo_loads(const ContactTiles& tiles, Count block, const std::vector<Load>& slots,

@@ -64,10 +64,14 @@ void begin_stirring(const Particles& particles, ActiveParticles& active) {
 }
 
 void stir(std::span<const std::vector<Index>> woken, ActiveParticles& active) {
-    for (const std::vector<Index>& some : woken)
-        for (const Index i : some)
-            if (!std::exchange(active.stirred[static_cast<std::size_t>(i)], true))
-                active.grown[static_cast<std::size_t>(i / block_size)] = true;
+    active.newly_stirred.clear();
+    for (const std::vector<Index>& some : woken) {
+        for (const Index i : some) {
+            if (std::exchange(active.stirred[static_cast<std::size_t>(i)], true)) continue;
+            active.grown[static_cast<std::size_t>(i / block_size)] = true;
+            active.newly_stirred.push_back(i);
+        }
+    }
 }
 
 void find_awake(const Particles& particles, Count block, ActiveParticles& active) {

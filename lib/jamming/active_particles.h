@@ -19,12 +19,13 @@ namespace jam {
 /// move. Lists are by blocks of ContactTiles::particles_per_block particles and in order; each
 /// block's begins at the place of its first particle.
 struct ActiveParticles {
-    std::vector<char> stirred;     ///< by particle
-    std::vector<Index> particles;  ///< the stirred ones
-    std::vector<Index> end;        ///< size blocks
-    std::vector<Index> awake;      ///< of the stirred ones those that are not idle
-    std::vector<Index> awake_end;  ///< size blocks
-    std::vector<char> grown;       ///< by block: whether some are stirred that are not listed yet
+    std::vector<char> stirred;         ///< by particle
+    std::vector<Index> particles;      ///< the stirred ones
+    std::vector<Index> end;            ///< size blocks
+    std::vector<Index> newly_stirred;  ///< by the last call of stir
+    std::vector<Index> awake;          ///< of the stirred ones those that are not idle
+    std::vector<Index> awake_end;      ///< size blocks
+    std::vector<char> grown;  ///< by block: whether some are stirred that are not listed yet
 
     Count block_count() const { return static_cast<Count>(end.size()); }
     Count awake_count() const;

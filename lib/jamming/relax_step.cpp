@@ -63,6 +63,7 @@ void evaluate(JamState& state, const RelaxSettings& settings, RelaxScratch& scra
         live_contact_forces(state.cell, settings.material, scratch.lists.tiles,
                             scratch.active.stirred, particles, particles.loads, scratch.forces);
     stir(scratch.forces.woken_of_tile, scratch.active);
+    stir_live_tiles(scratch.lists.tiles, scratch.active.newly_stirred, scratch.forces);
     scratch.net_force = sum_active(scratch.active, 0.0, [&](Count block) {
         add_halo_loads(scratch.lists.tiles, block, scratch.forces.slots, particles.loads);
         find_awake(particles, block, scratch.active);

@@ -36,6 +36,7 @@ class TileMaker {
     void make(Index begin, Index end, std::vector<ContactTile>& tiles) {
         find_near(begin, end);
         ContactTile tile;
+        tile.first_row = begin;
         number_own(begin, end, tile);
         number_pairs(tile);
         if (scratch_.repeated_halo) sort_halo(tile);
@@ -253,6 +254,16 @@ Count ContactTiles::pair_count() const {
     Count count = 0;
     for (const ContactTile& tile : tiles) count += static_cast<Count>(tile.pairs.size());
     return count;
+}
+
+std::size_t ContactTiles::tile_of_row(Index row) const {
+    const auto after = std::ranges::upper_bound(tiles, row, {}, &ContactTile::first_row);
+    return static_cast<std::size_t>(after - tiles.begin()) - 1;
+}
+
+std::size_t ContactTiles::tile_of_slot(std::uint32_t slot) const {
+    const auto after = std::ranges::upper_bound(tiles, Count{slot}, {}, &ContactTile::first_slot);
+    return static_cast<std::size_t>(after - tiles.begin()) - 1;
 }
 
 void make_contact_tiles(const NeighborList& candidates, const PeriodicCell& cell,

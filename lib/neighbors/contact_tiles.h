@@ -30,6 +30,7 @@ struct TilePair {
 };
 
 struct ContactTile {
+    Index first_row = 0;
     std::vector<Neighbor> participants;  ///< own ones first, with the home image
     Index own_count = 0;
     std::vector<TilePair> pairs;
@@ -59,7 +60,24 @@ struct ContactTiles {
     std::vector<std::vector<Index>> only_in_halo;
 
     Count pair_count() const;
+    /// Calls use(t) for every tile t in which a particle may take part.
+    template <typename Use>
+    void for_each_tile_of(Index particle, Use&& use) const;
+
+  private:
+    std::size_t tile_of_row(Index row) const;
+    std::size_t tile_of_slot(std::uint32_t slot) const;
 };
+
+template <typename Use>
+void ContactTiles::for_each_tile_of(Index particle, Use&& use) const {
+    use(tile_of_row(particle));
+    const auto block = static_cast<std::size_t>(particle / particles_per_block);
+    for (Index k = halo_begin[block]; k < halo_begin[block + 1]; ++k) {
+        const HaloLoad& halo = halo_loads[static_cast<std::size_t>(k)];
+        if (halo.particle == particle) use(tile_of_slot(halo.slot));
+    }
+}
 
 /// Memory of the refilter, kept between calls.
 struct TileScratch {

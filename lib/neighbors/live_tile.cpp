@@ -72,9 +72,8 @@ void take_whole(const ContactTile& tile, LiveTile& live) {
 
 void renew_live_tile(const ContactTile& tile, std::span<const char> stirred,
                      LiveTileScratch& scratch, LiveTile& live) {
+    live.stale = false;
     const Count count = find_stirred(tile, stirred, scratch.stirred);
-    if (count == live.stirred) return;
-    live.stirred = count;
     if (one_stirred_in * count > static_cast<Count>(tile.participants.size())) {
         if (!live.whole) take_whole(tile, live);
         live.is_stirred = scratch.stirred;

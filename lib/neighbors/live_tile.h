@@ -15,8 +15,8 @@ namespace jam {
 /// The pairs of a tile of whom one has been stirred, moved or touched, since the tiles were made,
 /// or that are close, in their order in the tile; so sums over them keep their order, too.
 struct LiveTile {
-    Count stirred = -1;  ///< of the tile's participants, when this was made; -1: not made yet
-    bool whole = false;  ///< all pairs of the tile are live
+    bool stale = true;                   ///< one more has been stirred since this was made
+    bool whole = false;                  ///< all pairs of the tile are live
     std::vector<Neighbor> participants;  ///< of the live pairs, in the order of the tile
     std::vector<char> is_stirred;        ///< by participant
     Index own_count = 0;
@@ -30,8 +30,7 @@ struct LiveTileScratch {
     std::vector<std::uint16_t> number;  ///< by participant of the tile: among the live ones
 };
 
-/// Makes it anew if more participants have been stirred since it was made. `stirred` is by
-/// particle; while the tile stands, whoever is in it stays in it.
+/// Makes it anew. `stirred` is by particle; while the tile stands, whoever is in it stays in it.
 void renew_live_tile(const ContactTile& tile, std::span<const char> stirred,
                      LiveTileScratch& scratch, LiveTile& live);
 

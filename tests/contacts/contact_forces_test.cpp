@@ -241,10 +241,15 @@ TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
     // Ever more are stirred, and go a little way.
     Count left_out = 0;
     for (int step = 0; step < 40; ++step) {
+        std::vector<Index> newly_stirred;
+        const auto stir = [&](std::size_t i) {
+            if (!std::exchange(stirred[i], true)) newly_stirred.push_back(static_cast<Index>(i));
+        };
         for (std::size_t i = 0; i < particles.spheres.size(); ++i) {
-            if (i % 97 == static_cast<std::size_t>(step)) stirred[i] = true;
+            if (i % 97 == static_cast<std::size_t>(step)) stir(i);
             if (stirred[i]) particles.spheres[i].center += Vec3(2e-5, -1e-5, 1e-5);
         }
+        stir_live_tiles(sample.tiles, newly_stirred, live);
         const ContactSums expected = evaluate(sample, {});
         const ContactSums sums =
             live_contact_forces(sample.cell, {}, sample.tiles, stirred, particles, loads, live);
@@ -253,8 +258,14 @@ TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
         ASSERT_EQ(sums.energy, expected.energy);
         ASSERT_EQ(sums.virial, expected.virial);
         std::vector<char> woken = stirred;
-        for (const std::vector<Index>& some : live.woken_of_tile)
-            for (const Index i : some) woken[static_cast<std::size_t>(i)] = true;
+        newly_stirred.clear();
+        for (const std::vector<Index>& some : live.woken_of_tile) {
+            for (const Index i : some) {
+                woken[static_cast<std::size_t>(i)] = true;
+                newly_stirred.push_back(i);
+            }
+        }
+        stir_live_tiles(sample.tiles, newly_stirred, live);
         const std::vector<char> touches = touching(sample);
         for (std::size_t i = 0; i < loads.size(); ++i) {
             ASSERT_EQ(loads[i].force, particles.loads[i].force) << "step " << step;

@@ -85,5 +85,24 @@ TEST(ContactTiles, EverySlotHasOneOwnerAndEveryParticleOneTile) {
     EXPECT_GT(bare.size(), 0u);
 }
 
+TEST(ContactTiles, EveryParticleFindsItsTiles) {
+    const Tiled tiled = tile(20000, 5.0, {0.0, 0.02});
+    const ContactTiles& tiles = tiled.tiles;
+    std::size_t looked_at = 0;
+    for (Index i = 0; i < 20000; ++i)
+        tiles.for_each_tile_of(i, [&](std::size_t t) {
+            ASSERT_LT(t, tiles.tiles.size());
+            ++looked_at;
+        });
+    for (std::size_t t = 0; t < tiles.tiles.size(); ++t)
+        for (const Neighbor participant : tiles.tiles[t].participants) {
+            std::set<std::size_t> found;
+            tiles.for_each_tile_of(participant.particle(),
+                                   [&](std::size_t at) { found.insert(at); });
+            ASSERT_TRUE(found.count(t)) << participant.particle();
+        }
+    EXPECT_LT(looked_at, 20000 * tiles.tiles.size() / 2) << "as many as all, which tells nothing";
+}
+
 }  // namespace
 }  // namespace jam

@@ -138,6 +138,7 @@ void write_quasistatic(const hdf5::Group& group, const QuasistaticState& quasist
     const hdf5::Group to = group.create("quasistatic");
     to.write("stage", static_cast<std::int64_t>(quasistatic.stage));
     to.write("pressure", quasistatic.pressure);
+    to.write("lowest_pressure", quasistatic.lowest_pressure);
     to.write("foot_begin", std::int64_t{quasistatic.foot_begin});
     to.write("next_trial", std::int64_t{quasistatic.next_trial});
     to.write("trial_cundall", quasistatic.trial_cundall);
@@ -154,6 +155,7 @@ QuasistaticState read_quasistatic(const hdf5::Group& group, std::size_t count) {
     QuasistaticState quasistatic;
     quasistatic.stage = static_cast<QuasistaticState::Stage>(from.read<std::int64_t>("stage"));
     quasistatic.pressure = from.read<double>("pressure");
+    quasistatic.lowest_pressure = from.read<double>("lowest_pressure");
     quasistatic.foot_begin = from.read<std::int64_t>("foot_begin");
     quasistatic.next_trial = from.read<std::int64_t>("next_trial");
     quasistatic.trial_cundall = from.read<double>("trial_cundall");

@@ -37,10 +37,11 @@ struct LeapReference {
 struct QuasistaticState {
     enum class Stage : std::uint8_t { compaction, relaxation };
     Stage stage = Stage::compaction;
-    double pressure = 0.0;       ///< mean pressure applied just now; 0: the run has not begun
-    Count foot_begin = 0;        ///< step at which the descent ended
-    Count next_trial = 0;        ///< step from which Newton's method is tried again
-    double trial_cundall = 0.0;  ///< of its last trial there; 0: there is none to better
+    double pressure = 0.0;         ///< mean pressure applied just now; 0: the run has not begun
+    double lowest_pressure = 0.0;  ///< of this descent
+    Count foot_begin = 0;          ///< step at which the descent ended
+    Count next_trial = 0;          ///< step from which Newton's method is tried again
+    double trial_cundall = 0.0;    ///< of its last trial there; 0: there is none to better
     Count last_whole = 0;  ///< step of the last look at the foot that found it whole and in motion
     int retreats = 0;      ///< times that the descent was begun again, slower
     LeapReference leap;    ///< empty wherever the run is at no saddle

@@ -38,6 +38,9 @@ constexpr double slowest_descent = 0.01;
 constexpr double cundall_to_rise = 2.0;
 /// Of the fastest descent, from one limit beyond that on.
 constexpr double fastest_rise = 0.3;
+/// Over the lowest pressure of this descent: what must go farther up for a small event would have
+/// all of that way to go down again.
+constexpr double farthest_rise = 2.0;
 /// At a pressure that overlaps equal spheres by 1e-4.
 constexpr double turn_at_full_limit = 1e-2;
 /// Of the full one; it stands above the round-off of forces.
@@ -247,12 +250,19 @@ void QuasistaticRun::begin_descent() {
     bring_to_standstill(state_);
     state_.quasistatic.stage = QuasistaticState::Stage::relaxation;
     relaxation_.emplace(diameters_, lists_);
-    apply(state_.quasistatic.pressure);
+    begin_descent_from(state_.quasistatic.pressure);
     begin_relaxation(state_, settings_.relax, *relaxation_);
+}
+
+void QuasistaticRun::begin_descent_from(double pressure) {
+    state_.quasistatic.lowest_pressure = pressure;
+    apply(pressure);
 }
 
 void QuasistaticRun::apply(double pressure) {
     state_.quasistatic.pressure = std::max(pressure, settings_.applied_pressure);
+    state_.quasistatic.lowest_pressure =
+        std::min(state_.quasistatic.lowest_pressure, state_.quasistatic.pressure);
     state_.quasistatic.foot_begin = state_.step;
     state_.quasistatic.last_whole = state_.step;
     state_.quasistatic.leap = {};
@@ -274,7 +284,8 @@ void QuasistaticRun::descend(double share) {
 }
 
 double QuasistaticRun::highest_pressure() const {
-    return std::max(settings_.first_pressure, settings_.climbed_pressure);
+    return std::min(std::max(settings_.first_pressure, settings_.climbed_pressure),
+                    farthest_rise * state_.quasistatic.lowest_pressure);
 }
 
 /// The limit falls with the pressure, since a network that flows at a share of its forces closes
@@ -351,7 +362,7 @@ void QuasistaticRun::climb() {
     ++state_.quasistatic.retreats;
     state_.quasistatic.next_trial = state_.step;
     state_.quasistatic.trial_cundall = 0.0;
-    apply(settings_.climbed_pressure);
+    begin_descent_from(settings_.climbed_pressure);
 }
 
 bool QuasistaticRun::try_newton() {

@@ -59,6 +59,7 @@ class QuasistaticRun {
     bool compacting() const;
     bool at_foot() const;
     void begin_descent();
+    void begin_descent_from(double pressure);
     /// Mean pressure; the applied one if it is less.
     void apply(double pressure);
     void relax();

@@ -148,14 +148,16 @@ TEST(Quasistatic, LeapsFromSaddlesWithTheSameBitsWhereverItWasStopped) {
     EXPECT_EQ(bits_of(checkpoint.state), bits_of(whole));
 }
 
-/// Factor by which one step changes the pressure of a random start far from balance.
-double change_of_pressure(Count count, double pressure) {
+/// Factor by which one step changes the pressure of a random start far from balance, when the
+/// lowest has been `lowest`.
+double change_of_pressure(Count count, double pressure, double lowest) {
     Scene scene = small_scene(count);
     scene.protocol.pressure = Mat3::Identity() * 1e-6;
     JamState state = start_state(scene);
     state.cell = PeriodicCell(0.78 * state.cell.matrix());
     state.quasistatic.stage = QuasistaticState::Stage::relaxation;
     state.quasistatic.pressure = pressure;
+    state.quasistatic.lowest_pressure = lowest;
     QuasistaticRun run(scene, state);
     run.begin();
     run.advance();
@@ -165,10 +167,17 @@ double change_of_pressure(Count count, double pressure) {
 TEST(Quasistatic, OnlyLargePackingsOfSmallOverlapsRiseWhereForcesAreOutOfBalance) {
     constexpr Count small = 250;
     constexpr Count large = 8000;
-    EXPECT_GT(change_of_pressure(large, 5e-5), 1.0);
-    EXPECT_GT(change_of_pressure(large, 1e-6), 1.0) << "at the foot, too";
-    EXPECT_LT(change_of_pressure(large, 2e-4), 1.0);
-    EXPECT_LT(change_of_pressure(small, 5e-5), 1.0);
+    EXPECT_GT(change_of_pressure(large, 5e-5, 5e-5), 1.0);
+    EXPECT_GT(change_of_pressure(large, 1e-6, 1e-6), 1.0) << "at the foot, too";
+    EXPECT_LT(change_of_pressure(large, 2e-4, 2e-4), 1.0);
+    EXPECT_LT(change_of_pressure(small, 5e-5, 5e-5), 1.0);
+}
+
+TEST(Quasistatic, RisesToTwiceItsLowestPressureAtMost) {
+    constexpr Count large = 8000;
+    EXPECT_GT(change_of_pressure(large, 1.9e-6, 1e-6), 1.0);
+    EXPECT_DOUBLE_EQ(1.99999e-6 * change_of_pressure(large, 1.99999e-6, 1e-6), 2e-6);
+    EXPECT_LT(change_of_pressure(large, 2e-6, 1e-6), 1.0);
 }
 
 TEST(Quasistatic, BeginsLowerWhereSizesAreWide) {

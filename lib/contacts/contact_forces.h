@@ -74,6 +74,7 @@ ContactSums live_contact_forces(const PeriodicCell& cell, const Material& materi
 
 void begin_live_tiles(const ContactTiles& tiles, ForceScratch& scratch);
 
+/// Has live tiles made anew for those that have been stirred since the last call.
 void stir_live_tiles(const ContactTiles& tiles, std::span<const Index> newly_stirred,
                      ForceScratch& scratch);
 

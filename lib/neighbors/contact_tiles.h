@@ -30,7 +30,7 @@ struct TilePair {
 };
 
 struct ContactTile {
-    Index first_row = 0;
+    Index first_row = 0;                 ///< of the candidate list
     std::vector<Neighbor> participants;  ///< own ones first, with the home image
     Index own_count = 0;
     std::vector<TilePair> pairs;

@@ -15,7 +15,7 @@ namespace jam {
 /// The pairs of a tile of whom one has been stirred, moved or touched, since the tiles were made,
 /// or that are close, in their order in the tile; so sums over them keep their order, too.
 struct LiveTile {
-    bool stale = true;                   ///< one more has been stirred since this was made
+    bool stale = true;                   ///< not made yet, or one more has been stirred since
     bool whole = false;                  ///< all pairs of the tile are live
     std::vector<Neighbor> participants;  ///< of the live pairs, in the order of the tile
     std::vector<char> is_stirred;        ///< by participant

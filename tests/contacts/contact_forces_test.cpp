@@ -231,7 +231,10 @@ std::vector<char> touching(const Sample& sample) {
     return touches;
 }
 
-TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
+/// One in so many is stirred at each step; counts how often so few are that their tiles are looked
+/// for.
+void hold_live_tiles_against_whole_ones(std::size_t one_in, double way, int& looked_for) {
+    looked_for = 0;
     Sample sample = make_sample(29, 4000, 3.0, {.skin = 0.3}, 0.5);
     Particles& particles = sample.particles;
     std::vector<char> stirred(particles.spheres.size(), false);
@@ -246,9 +249,10 @@ TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
             if (!std::exchange(stirred[i], true)) newly_stirred.push_back(static_cast<Index>(i));
         };
         for (std::size_t i = 0; i < particles.spheres.size(); ++i) {
-            if (i % 97 == static_cast<std::size_t>(step)) stir(i);
-            if (stirred[i]) particles.spheres[i].center += Vec3(2e-5, -1e-5, 1e-5);
+            if (i % one_in == static_cast<std::size_t>(step)) stir(i);
+            if (stirred[i]) particles.spheres[i].center += way * Vec3(2.0, -1.0, 1.0);
         }
+        looked_for += newly_stirred.size() <= sample.tiles.tiles.size();
         stir_live_tiles(sample.tiles, newly_stirred, live);
         const ContactSums expected = evaluate(sample, {});
         const ContactSums sums =
@@ -260,10 +264,9 @@ TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
         std::vector<char> woken = stirred;
         newly_stirred.clear();
         for (const std::vector<Index>& some : live.woken_of_tile) {
-            for (const Index i : some) {
-                woken[static_cast<std::size_t>(i)] = true;
-                newly_stirred.push_back(i);
-            }
+            for (const Index i : some)
+                if (!std::exchange(woken[static_cast<std::size_t>(i)], true))
+                    newly_stirred.push_back(i);
         }
         stir_live_tiles(sample.tiles, newly_stirred, live);
         const std::vector<char> touches = touching(sample);
@@ -278,6 +281,14 @@ TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
             left_out -= static_cast<Count>(tile.pairs.size());
     }
     EXPECT_GT(left_out, 1000) << "nothing was tested";
+}
+
+TEST(ContactForces, LiveTilesGiveTheSameBitsAndSayWhoIsWoken) {
+    int looked_for = 0;
+    hold_live_tiles_against_whole_ones(97, 1e-5, looked_for);
+    EXPECT_EQ(looked_for, 0);
+    hold_live_tiles_against_whole_ones(1999, 1e-4, looked_for);
+    EXPECT_GT(looked_for, 20);
 }
 
 TEST(ContactForces, SameBitsForAnyThreadCount) {
